@@ -47,6 +47,7 @@ Command makeEstimateCommand(CLI::App& root);
 Command makeDiagnoseCommand(CLI::App& root);
 Command makeSimulateCommand(CLI::App& root);
 Command makeExportCommand(CLI::App& root);
+Command makeExportModelCommand(CLI::App& root);
 Command makeConvertCommand(CLI::App& root);
 Command makeReproduceCommand(CLI::App& root);
 Command makeLiveCommand(CLI::App& root);

@@ -12,6 +12,7 @@
 #include "core/diagnosis/model/forward_model.h"
 #include "core/simulation/effects/effect.h"
 #include "core/simulation/random.h"
+#include "core/twin/found.h"
 
 namespace heft {
 
@@ -36,38 +37,6 @@ class FoundEffect final : public Effect {
  private:
   std::shared_ptr<const AddedRows> rows_;
 };
-
-/// Whether `found` is a heft.diagnose/1 as far as it is read here.
-bool isDiagnosis(const json& found) {
-  const auto isCause = [](const json& cause) {
-    return cause.is_object() && cause.contains("cause") && cause["cause"].is_string() &&
-           (!cause.contains("parameters") ||
-            (cause["parameters"].is_object() && std::ranges::all_of(cause["parameters"], &json::is_object)));
-  };
-  return found.is_object() && found.contains("schema") && found["schema"] == "heft.diagnose/1" &&
-         found.contains("model") && found.contains("payload_after") && found.contains("causes") &&
-         found["causes"].is_array() && std::ranges::all_of(found["causes"], isCause);
-}
-
-const json* findCauseIn(const json& found, const std::string& id) {
-  for (const auto& cause : found["causes"])
-    if (cause["cause"] == id) return &cause;
-  return nullptr;
-}
-
-std::optional<Error> whatIsMissing(const json& found, const std::string& where, const TwinOptions& options) {
-  if (!isDiagnosis(found))
-    return Error{heft::say("{} is no result of a diagnosis; make one with heft diagnose REC --json FILE.", where)};
-  for (const auto& id : options.without)
-    if (findCauseIn(found, id) == nullptr) {
-      std::vector<std::string> names;
-      for (const auto& cause : found["causes"]) names.push_back(cause["cause"].get<std::string>());
-      return Error{names.empty()
-                       ? heft::say("{} found no cause, so {} cannot be left out.", where, printable(id))
-                       : heft::say("{} did not find the cause {}; it found {}.", where, printable(id), joined(names))};
-    }
-  return std::nullopt;
-}
 
 /// Draws the sizes of a term, the `occurrence`-th of its cause, from their standard deviations, and notes all values.
 void drawTerm(Term& term, const json* cause, int occurrence, bool fixed, RandomStream& random, EffectTruth& truth) {
@@ -139,7 +108,7 @@ std::vector<TwinCause> listCauses(const json& found, const TwinOptions& options)
 
 Result<Twin> simulateTwin(const json& found, const std::string& where, const RobotModel& robot,
                           const TwinOptions& options, const Progress& progress) {
-  if (auto missing = whatIsMissing(found, where, options)) return *missing;
+  if (auto missing = whatIsMissing(found, where, options.without)) return *missing;
   Payload payload;
   if (options.payload) {
     payload = *options.payload;

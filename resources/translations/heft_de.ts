@@ -8589,6 +8589,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>State the mount and gravity in the setup file, or record a motion that tilts and turns the tool more.</source>
         <translation>Geben Sie Einbaulage und Schwerkraft in der Meta-Datei an, oder nehmen Sie eine Bewegung auf, die das Werkzeug stärker neigt und dreht.</translation>
     </message>
+    <message>
+        <source>{} does not say where the sensor sits; make it again with heft diagnose REC --json FILE.</source>
+        <translation>{} sagt nicht, wo der Sensor sitzt; erzeugen Sie die Datei neu mit heft diagnose REC --json FILE.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

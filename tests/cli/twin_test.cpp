@@ -37,6 +37,35 @@ TEST_F(TwinCommandTest, MakesRecordingsWithTheCausesThatWereFound) {
   EXPECT_EQ(with({"--without", "time_offset", "--motion", "fast", "-o", "no.csv"}).exitCode, 2);
 }
 
+TEST_F(TwinCommandTest, WritesTheRigForOtherSimulators) {
+  simulate("beside",
+           {"--motion", "free", "--duration", "15", "--rate", "250", "--seed", "31", "--effect", "lever_arm=30"});
+  ASSERT_EQ(heft({"diagnose", "beside.csv", "--surrogates", "0", "--json", "found.json"}).exitCode, 0);
+  const auto found = readJson("found.json");
+  ASSERT_EQ(found["causes"][0]["cause"], "lever_arm");
+  const Outcome run = heft({"export-model", "found.json", "--for", "json", "-o", "rig.json"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("lever_arm"));
+  const auto rig = readJson("rig.json");
+  EXPECT_EQ(rig["payload"]["mass_kg"], found["payload_after"]["mass_kg"]);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(rig["sensor_mount"]["xyz_m"][axis].get<double>() + rig["sensor_as_found"]["xyz_m"][axis].get<double>(),
+                found["meta_changes"]["sensor"]["mount"]["xyz_m"][axis].get<double>(), 1e-9);
+  EXPECT_EQ(heft({"export-model", "found.json", "--for", "json", "-o", "rig.json"}).exitCode, 0) << "its own file";
+  const Outcome off = heft({"export-model", "found.json", "--for", "json", "--without", "lever_arm"});
+  EXPECT_THAT(off.out, HasSubstr("\"causes\": []"));
+  for (const char* target : {"mujoco", "gazebo"})
+    EXPECT_THAT(heft({"export-model", "found.json", "--for", target}).out, HasSubstr("lever_arm")) << target;
+
+  EXPECT_EQ(heft({"export-model", "found.json", "--for", "unity"}).exitCode, 2);
+  EXPECT_EQ(heft({"export-model", "found.json"}).exitCode, 2);
+  write("mine.xml", "<mujoco/>");
+  EXPECT_TRUE(
+      failedWithOneSentence(heft({"export-model", "found.json", "--for", "mujoco", "-o", "mine.xml"}), "mine.xml"));
+  EXPECT_TRUE(failedWithOneSentence(heft({"export-model", "found.json", "--for", "json", "--without", "cable_pull"}),
+                                    "it found lever_arm"));
+}
+
 TEST_F(TwinCommandTest, SaysWhatGoesTogether) {
   EXPECT_EQ(heft({"simulate", "-o", "no.csv"}).exitCode, 2);
   EXPECT_EQ(heft({"simulate", "--motion", "free", "--fixed", "-o", "no.csv"}).exitCode, 2);

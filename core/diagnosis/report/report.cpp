@@ -22,6 +22,8 @@ namespace {
 /// JSON knows no infinity.
 json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
+json listOf(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
 json payloadJson(const EstimateReport& report) {
   json out = toJson(report.payload);
   out["std"] = toJson(report.std);
@@ -103,6 +105,14 @@ nlohmann::json toJson(const DiagnosisReport& report) {
                 {"inertia", {moved(4), moved(5), moved(6), moved(7), moved(8), moved(9)}}}},
               {"smallest_visible", smallest},
               {"meta_changes", report.metaChanges()},
+              {"sensor_mount",
+               {{"parent", report.meta.mount.parent},
+                {"xyz_m", listOf(report.meta.mount.xyz)},
+                {"rpy_rad", listOf(report.meta.mount.rpy)}}},
+              {"gravity_m_s2", listOf(report.meta.gravity)},
+              {"sensor_noise",
+               {{"force_n", listOf(report.after.noiseStd.head<3>())},
+                {"torque_nm", listOf(report.after.noiseStd.tail<3>())}}},
               {"model", modelToJson(report.model)},
               {"timing_s", {{"total", report.seconds}}},
               {"findings", findings}};
