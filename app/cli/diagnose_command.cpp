@@ -8,6 +8,7 @@
 #include "app/cli/cli.h"
 #include "app/cli/reading.h"
 #include "app/cli/recording_options.h"
+#include "app/cli/stage_times.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/correction/check_on_other.h"
 #include "core/diagnosis/diagnose.h"
@@ -25,7 +26,7 @@ struct DiagnoseArguments {
   std::vector<std::string> hidden;
   int surrogates = DiagnoseOptions{}.surrogates;
   unsigned seed = DiagnoseOptions{}.seed;
-  bool force = false, causes = false;
+  bool force = false, causes = false, timing = false;
 };
 
 void list() {
@@ -62,7 +63,8 @@ void run(const DiagnoseArguments& options) {
     if (!file.empty()) requireWritable(file, {options.force, {}});
 
   ProgressLine line;
-  const Progress progress = line.progress();
+  StageTimes times;
+  const Progress progress = options.timing ? times.watching(line.progress()) : line.progress();
   const Input input = readInput(options.recording, options.import, options.robot, progress);
   DiagnosisReport report = orFail(diagnose(input.recording, input.model(), settings, progress));
   report.findings.insert(report.findings.begin(), input.findings.begin(), input.findings.end());
@@ -70,8 +72,13 @@ void run(const DiagnoseArguments& options) {
     const Input other = readInput(options.check, {}, options.robot, progress);
     report.check = orFail(checkOn(report, other.recording, other.model()));
   }
+  times.finish();
   line.clear();
-  if (!options.json.empty()) writeOutput(options.json, fileText(toJson(report)), overwriteResult);
+  if (!options.json.empty()) {
+    nlohmann::json result = toJson(report);
+    if (options.timing) result["timing_s"]["stages"] = times.toJson();
+    writeOutput(options.json, fileText(result), overwriteResult);
+  }
   if (!options.report.empty()) {
     const auto witnesses = diagnosis::witnesses(input.recording, input.model());
     writeOutput(options.report, toHtml(report, witnesses ? *witnesses : std::vector<diagnosis::Witness>{}),
@@ -86,6 +93,7 @@ void run(const DiagnoseArguments& options) {
   }
   if (options.json != "-") {
     print(toText(report));
+    if (options.timing) print("\n" + times.table());
     printFindings(report.findings, true);
   }
   if (!options.correctedMeta.empty() && changes.empty())
@@ -121,6 +129,7 @@ Command makeDiagnoseCommand(CLI::App& root) {
       ->type_name("N")
       ->capture_default_str();
   app->add_option("--seed", options->seed, "Of the simulated recordings")->type_name("N")->capture_default_str();
+  app->add_flag("--timing", options->timing, "Show time and memory of each stage, in the JSON, too");
   app->add_flag("--list-causes", options->causes, "Show the catalogue");
   app->add_flag("--force", options->force, "Replace files that exist");
   app->footer(

@@ -186,6 +186,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   if (!readings) return readings.error();
   auto found = searched(readings->stated, *readings, robot, options, progress);
   if (!found) return found.error();
+  progress(0.8, heft::say("Comparing ways to smooth the motion"));
   unlessCausesExplainMore(recording, robot, options, Progress{progress.stop, {}}, *readings, *found);
   if (progress.cancelled()) return Error{"Stopped.", true};
   Hypothesis& hypothesis = found->hypothesis;
@@ -213,6 +214,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   if (auto error = estimateAgain(out, recording, readings->cleaned, robot, hypothesis, options.estimate,
                                  Progress{progress.stop, {}}))
     return *error;
+  progress(0.97, heft::say("Working out what would have been seen"));
   out.model = hypothesis.search.final.model;
   out.smallest = smallestVisible(hypothesis, out.causes, std::max(kNamed, out.threshold));
   setSeries(hypothesis, fitted, out.series);

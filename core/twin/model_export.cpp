@@ -227,9 +227,8 @@ std::string asSdf(const Rig& rig, const std::string& name) {
   std::string causes;
   for (const auto& cause : rig.causes)
     for (const auto& size : cause.sizes)
-      causes +=
-          fmt::format("          <heft:{0} size=\"{1}\" unit=\"{2}\">{3}</heft:{0}>\n", xmlEscaped(cause.told.id),
-                      xmlEscaped(size.name), xmlEscaped(size.unit), number(size.value));
+      causes += fmt::format("          <heft:{0} size=\"{1}\" unit=\"{2}\">{3}</heft:{0}>\n", xmlEscaped(cause.told.id),
+                            xmlEscaped(size.name), xmlEscaped(size.unit), number(size.value));
   const Matrix3d& I = rig.payload.inertiaCom;
   const Isometry3d X_LS = poseFromXyzRpy(rig.mount.xyz, rig.mount.rpy);
   const std::string link = xmlEscaped(linkName(rig.mount));

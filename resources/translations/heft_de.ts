@@ -8593,6 +8593,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>{} does not say where the sensor sits; make it again with heft diagnose REC --json FILE.</source>
         <translation>{} sagt nicht, wo der Sensor sitzt; erzeugen Sie die Datei neu mit heft diagnose REC --json FILE.</translation>
     </message>
+    <message>
+        <source>Comparing ways to smooth the motion</source>
+        <translation>Glättungen der Bewegung werden verglichen</translation>
+    </message>
+    <message>
+        <source>Working out what would have been seen</source>
+        <translation>Es wird berechnet, was zu sehen gewesen wäre</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -40,9 +40,14 @@ TEST_F(TwinCommandTest, MakesRecordingsWithTheCausesThatWereFound) {
 TEST_F(TwinCommandTest, WritesTheRigForOtherSimulators) {
   simulate("beside",
            {"--motion", "free", "--duration", "15", "--rate", "250", "--seed", "31", "--effect", "lever_arm=30"});
-  ASSERT_EQ(heft({"diagnose", "beside.csv", "--surrogates", "0", "--json", "found.json"}).exitCode, 0);
+  const Outcome timed = heft({"diagnose", "beside.csv", "--surrogates", "0", "--json", "found.json", "--timing"});
+  ASSERT_EQ(timed.exitCode, 0) << timed.err;
+  EXPECT_THAT(timed.out, HasSubstr("Trying causes"));
   const auto found = readJson("found.json");
   ASSERT_EQ(found["causes"][0]["cause"], "lever_arm");
+  double sum = 0.0;
+  for (const auto& stage : found["timing_s"]["stages"]) sum += stage["wall_s"].get<double>();
+  EXPECT_GT(sum, 0.9 * found["timing_s"]["total"].get<double>()) << "the stages are all of it";
   const Outcome run = heft({"export-model", "found.json", "--for", "json", "-o", "rig.json"});
   ASSERT_EQ(run.exitCode, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("lever_arm"));
