@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/clearance_options.h"
 #include "app/cli/cli.h"
 #include "app/cli/reading.h"
 #include "app/cli/recording_options.h"
@@ -32,6 +33,7 @@ struct CoachArguments {
   CoachOptions coach;
   ExcitationOptions excitation;
   ImportOptions import;
+  ClearanceArguments clearance;
   bool force = false;
 };
 
@@ -54,8 +56,6 @@ std::string speedText(const LimitUse& use, double cap) {
   return fmt::format("at most {:.0f} mm/s at the tool (cap {:.0f} mm/s, for people within reach: ISO/TS 15066)",
                      1e3 * use.largestTcpSpeed, 1e3 * cap);
 }
-
-constexpr std::string_view kObstacles = "  Obstacles are not known to Heft: see that the way is free.\n";
 
 Overwrite ownFiles(const CoachArguments& options, std::string_view schema) {
   return {options.force, [schema](const std::string& old) { return hasSchema(old, schema); }};
@@ -88,7 +88,7 @@ GuidedTool toolOf(const Input& input) {
 /// Where more than one reading of the numbers fits: what would decide, as text and as JSON (null where nothing is
 /// open). `tool` and `from`: where a pose of the arm may do so.
 std::pair<std::string, json> whatDecides(const Input& input, const std::optional<GuidedTool>& tool,
-                                         const VectorXd& from) {
+                                         const VectorXd& from, const std::optional<Surroundings>& around) {
   const Recording& recording = input.recording;
   const bool poses = recording.meta.kind == RecordingKind::poses;
   const auto motion = poses ? standingPoses(recording, input.model()) : motionOf(recording, input.model(), {});
@@ -98,13 +98,13 @@ std::pair<std::string, json> whatDecides(const Input& input, const std::optional
   if (!tied) return {};
   std::string text = fmt::format("Two readings of the numbers fit:\n  {}\n  {}\n", tied->firstSaid, tied->secondSaid);
   json out{{"readings", {tied->firstSaid, tied->secondSaid}}, {"q_rad", nullptr}, {"text", report.decides}};
-  const auto pose = poses && tool ? decidingPose(recording, *tool, *tied, from) : std::nullopt;
+  const auto pose = poses && tool ? decidingPose(recording, *tool, *tied, from, around->clearance()) : std::nullopt;
   if (pose) {
     std::string joints;
     for (const double q : pose->q) joints += fmt::format("{}{:.3f}", joints.empty() ? "" : ", ", q);
     const std::string says =
         fmt::format("In this pose they expect readings that are {:.0f} standard deviations apart.", pose->apart);
-    text += fmt::format("  Decide by one more pose, joints [{}] rad. {}\n{}", joints, says, kObstacles);
+    text += fmt::format("  Decide by one more pose, joints [{}] rad. {}\n{}", joints, says, around->words());
     out["q_rad"] = list(pose->q);
     out["apart_sd"] = pose->apart;
     out["text"] = says;
@@ -118,8 +118,15 @@ std::pair<std::string, json> whatDecides(const Input& input, const std::optional
 void coachPoses(const CoachArguments& options, const Input& input) {
   const Recording& recording = input.recording;
   std::optional<GuidedTool> tool;
-  if (input.model() && recording.hasJoints()) tool = toolOf(input);
-  PoseGuide guide(tool, recording.meta.gravity);
+  std::optional<Surroundings> around;
+  Findings findings = input.findings;
+  if (input.model() && recording.hasJoints()) {
+    tool = toolOf(input);
+    around.emplace(options.clearance, *tool, findings);
+  }
+  PoseGuideOptions wanted;
+  wanted.clearance = around ? around->clearance() : nullptr;
+  PoseGuide guide(tool, recording.meta.gravity, wanted);
   for (const auto& pose : orFail(posesOf(recording, input.model()))) guide.add(pose);
   const PoseResult& result = guide.result();
   std::string text;
@@ -137,7 +144,8 @@ void coachPoses(const CoachArguments& options, const Input& input) {
            {"spread", {{"light", toString(result.spread)}, {"text", result.spreadWords}}},
            {"known", result.known},
            {"next", nullptr},
-           {"findings", toJson(input.findings)}};
+           {"clearance", around ? around->toJson() : json()},
+           {"findings", toJson(findings)}};
   text += fmt::format("{} of {} poses are used. {}\n", guide.usedCount(), guide.options().wanted, result.spreadWords);
   if (result.known) {
     text += fmt::format("mass {:.3f} ± {:.3f} kg, centre of mass ({:.1f}, {:.1f}, {:.1f}) ± {:.1f} mm\n", result.mass,
@@ -157,12 +165,12 @@ void coachPoses(const CoachArguments& options, const Input& input) {
           "Next pose: {}\n  joints [{}] rad\n  {}, {} after it\n", next->words, joints,
           mass < kFarMass ? fmt::format("mass ± {:.1f} g", 1e3 * mass) : "mass not known",
           com < kFarCom ? fmt::format("centre of mass ± {:.1f} mm", 1e3 * com) : "centre of mass not known yet");
-      text += kObstacles;
+      text += around->words();
       out["next"] = {{"q_rad", list(next->q)}, {"text", next->words}, {"after", {{"mass_kg", mass}, {"com_m", com}}}};
     }
   }
   const VectorXd last = tool ? VectorXd(recording.q.row(recording.rows() - 1).transpose()) : VectorXd();
-  const auto [deciding, decidingJson] = whatDecides(input, tool, last);
+  const auto [deciding, decidingJson] = whatDecides(input, tool, last, around);
   out["deciding"] = decidingJson;
   writeResults(options, "heft.coach/1", out, text + deciding, nullptr);
 }
@@ -183,6 +191,10 @@ void runCoach(CoachArguments options) {
   const GuidedTool tool = toolOf(input);
   const OnlineInformation information = orFail(informationOf(input.recording, input.model(), {}));
   const VectorXd q = input.model()->clampToLimits(input.recording.q.row(input.recording.rows() - 1).transpose());
+  Findings findings = input.findings;
+  std::optional<Surroundings> around;
+  around.emplace(options.clearance, tool, findings);
+  options.coach.limits.clearance = around->clearance();
   const Advice advice = orFail(advise(information, tool, input.recording.meta.gravity, q, options.coach));
   json out{{"schema", "heft.coach/1"},
            {"kind", "motion"},
@@ -191,12 +203,13 @@ void runCoach(CoachArguments options) {
            {"about", toString(advice.about)},
            {"interval95_before", widths(advice.before)},
            {"interval95_after", widths(advice.after)},
-           {"findings", toJson(input.findings)}};
+           {"clearance", around->toJson()},
+           {"findings", toJson(findings)}};
   std::string text = fmt::format("Known now: {}.\n{}\n", knownText(advice.before), advice.sentence);
   if (advice.needed) {
     text += fmt::format("  {}\n  {:.1f} s, {}\n", advice.gain, advice.motion.duration(),
                         speedText(advice.use, options.coach.limits.tcpSpeed));
-    text += kObstacles;
+    text += around->words();
     json samples = json::array();
     for (Eigen::Index k = 0; k < advice.motion.size(); k += 5)
       samples.push_back(list(advice.motion.q.row(k).transpose()));
@@ -207,12 +220,12 @@ void runCoach(CoachArguments options) {
                      {"target_q_rad", list(advice.target)},
                      {"path_q_rad", samples}};
   }
-  const auto [deciding, decidingJson] = whatDecides(input, tool, q);
+  const auto [deciding, decidingJson] = whatDecides(input, tool, q, around);
   out["deciding"] = decidingJson;
   writeResults(options, "heft.coach/1", out, text + deciding, advice.needed ? &advice.motion : nullptr);
 }
 
-void runExcite(const CoachArguments& options) {
+void runExcite(CoachArguments options) {
   requireRange("--tcp-speed", options.excitation.limits.tcpSpeed, 0.001, 2.0, "m/s");
   requireRange("--amplitude", options.excitation.amplitude, 0.001, 0.5, "rad");
   requireRange("--deviation", options.excitation.deviation, 0.0005, 0.5, "m");
@@ -225,6 +238,9 @@ void runExcite(const CoachArguments& options) {
   const GuidedTool tool = toolOf(input);
   std::vector<Segment> segments;
   const OnlineInformation information = orFail(informationOf(input.recording, input.model(), {}, &segments));
+  Findings findings = input.findings;
+  const Surroundings around(options.clearance, tool, findings);
+  options.excitation.limits.clearance = around.clearance();
   const ExcitedMotion e = orFail(excite(input.recording, tool, segments, information, options.excitation));
   json free = json::array();
   for (const auto& part : e.free) free.push_back({part.from, part.to});
@@ -246,7 +262,8 @@ void runExcite(const CoachArguments& options) {
                  {"interval95_now", widths(e.now)},
                  {"interval95_replayed", widths(e.replayed)},
                  {"interval95_excited", widths(e.after)},
-                 {"findings", toJson(input.findings)}};
+                 {"clearance", around.toJson()},
+                 {"findings", toJson(findings)}};
   std::string text = fmt::format("{}: {:.1f} s at {:g} Hz", options.output, e.excited.duration(), options.rateHz);
   if (e.slowed > 1.001) text += fmt::format(", {:.2f} times slower than taught to keep the limits", e.slowed);
   text += fmt::format("\n  sines in {} free part{}: up to {:.3f} rad a joint, {:.1f} mm from the taught path\n",
@@ -254,7 +271,7 @@ void runExcite(const CoachArguments& options) {
   text += fmt::format("  {}\n", speedText(e.use, options.excitation.limits.tcpSpeed));
   text += fmt::format("  now:                    {}\n  after a plain replay:   {}\n  after this replay:      {}\n",
                       knownText(e.now), knownText(e.replayed), knownText(e.after));
-  text += kObstacles;
+  text += around.words();
   writeResults(options, "heft.excite/1", out, text, &e.excited);
 }
 
@@ -273,6 +290,7 @@ CLI::App* addCommon(CLI::App& root, const char* name, const char* what, CoachArg
   app->add_option("--rate", options.rateHz, "Rows a second of the trajectory [Hz]")
       ->type_name("HZ")
       ->capture_default_str();
+  addClearanceOptions(*app, options.clearance);
   app->add_flag("--force", options.force, "Replace files that exist");
   return app;
 }

@@ -17,6 +17,7 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kStep = 0.02;          // [s] between samples of a proposed motion
 constexpr double kMinimumScale = 0.05;  // of a candidate's size; less is not worth proposing
 constexpr double kFill = 0.97;          // of the limits
+constexpr double kSmaller = 0.6;        // of its size, where the end of a range or an obstacle is in the way
 constexpr std::array kAll{CoachGoal::mass, CoachGoal::com, CoachGoal::inertia};
 // Standard deviations with which nothing more need be done.
 constexpr Uncertainty kEnough{0.002, 0.0005, 0.02};
@@ -171,23 +172,31 @@ JointMotion motionFor(const Kind& kind, double scale, const GuidedTool& tool, co
   return motion;
 }
 
-/// The kind as large as the limits allow, or nothing.
+/// The kind as large as the limits allow and as arm and room leave it, or nothing. `inTheWay` gets what was met on it.
 std::optional<Advice> fitted(const Kind& kind, const GuidedTool& tool, const Matrix3d& axes, const Vector3d& pivot,
-                             const VectorXd& q, const CoachOptions& options) {
+                             const VectorXd& q, const CoachOptions& options, std::optional<Conflict>& inTheWay) {
   double scale = 1.0;
   for (int attempt = 0; attempt < 6; ++attempt) {
     Advice advice;
     advice.motion = motionFor(kind, scale, tool, axes, pivot, q, options.duration);
     advice.use = limitUse(tool, advice.motion, options.limits);
     if (advice.use.kept()) {
-      advice.id = kind.id;
-      advice.sentence = kind.sentence;
-      return advice;
+      const auto conflict =
+          options.limits.clearance ? options.limits.clearance->firstConflict(advice.motion) : std::nullopt;
+      if (!conflict) {
+        advice.id = kind.id;
+        advice.sentence = kind.sentence;
+        return advice;
+      }
+      inTheWay = conflict;
+      scale *= kSmaller;
+      if (scale < kMinimumScale || conflict->time <= 0.0) break;
+      continue;
     }
     const LimitUse& u = advice.use;
     // Rates go with the size; a range's use does not start at zero.
     const double rates = std::max({u.velocity, u.acceleration, u.tcpSpeed, u.cartesian});
-    scale *= std::min(rates > 1.0 ? kFill / rates : 1.0, u.position > 1.0 ? 0.6 : 1.0);
+    scale *= std::min(rates > 1.0 ? kFill / rates : 1.0, u.position > 1.0 ? kSmaller : 1.0);
     if (scale < kMinimumScale) break;
   }
   return std::nullopt;
@@ -223,6 +232,12 @@ std::size_t mostUseful(const std::vector<Candidate>& candidates, const OnlineInf
     }
   }
   return best;
+}
+
+std::string noRoom(const Conflict& conflict) {
+  return heft::say(
+      "No motion from this posture stays clear of everything: {} Bring the arm to where there is more room.",
+      conflict.sentence());
 }
 
 VectorXd furthest(const GuidedTool& tool, const JointMotion& motion) {
@@ -275,8 +290,9 @@ Result<Advice> advise(const std::optional<OnlineInformation>& information, const
 
   const Matrix3d axes = toolAxes(information);
   std::vector<Candidate> candidates;
+  std::optional<Conflict> inTheWay;
   for (const Kind& kind : kKinds) {
-    auto advice = fitted(kind, tool, axes, pivot, q, options);
+    auto advice = fitted(kind, tool, axes, pivot, q, options, inTheWay);
     if (!advice) continue;
     Triangle rows = Triangle::Zero();
     if (information) {
@@ -290,6 +306,7 @@ Result<Advice> advise(const std::optional<OnlineInformation>& information, const
   std::optional<Advice> best;
   if (!candidates.empty())
     best = std::move(candidates[information ? mostUseful(candidates, *information, before, want) : 0].advice);
+  if (!best && inTheWay) return Error{noRoom(*inTheWay)};
   if (!best)
     return Error{heft::say(
         "No motion from this posture keeps all limits. Bring the arm into the middle of its joints' ranges first.")};
@@ -306,7 +323,9 @@ Result<Advice> namedMotion(std::string_view id, const GuidedTool& tool, const Ve
   if (kind == kKinds.end()) return Error{heft::say("The coach has no motion called \"{}\".", id)};
   if (tool.robot->clampToLimits(q) != q)
     return Error{heft::say("The posture lies outside the joints' ranges: no motion can start there.")};
-  auto advice = fitted(*kind, tool, toolAxes(std::nullopt), Vector3d::Zero(), q, options);
+  std::optional<Conflict> inTheWay;
+  auto advice = fitted(*kind, tool, toolAxes(std::nullopt), Vector3d::Zero(), q, options, inTheWay);
+  if (!advice && inTheWay) return Error{noRoom(*inTheWay)};
   if (!advice)
     return Error{heft::say(
         "This motion does not keep the limits from here. Bring the arm into the middle of its joints' ranges.")};

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "core/base/say.h"
 #include "core/coach/pose_guide.h"
@@ -65,7 +67,7 @@ std::optional<TiedReadings> tiedReadings(const conventions::Report& report) {
 }
 
 std::optional<DecidingPose> decidingPose(const Recording& poses, const GuidedTool& tool, const TiedReadings& tied,
-                                         const VectorXd& from) {
+                                         const VectorXd& from, const Clearance* clearance) {
   const RobotModel& robot = *tool.robot;
   if (!poses.hasJoints() || from.size() != robot.dof()) return std::nullopt;
   const auto motion = standingPoses(poses, &robot);
@@ -102,10 +104,14 @@ std::optional<DecidingPose> decidingPose(const Recording& poses, const GuidedToo
           .cwiseSqrt();
   // Of poses that decide as well the nearer one.
   const VectorXd far = (grid.q.rowwise() - from.transpose()).cwiseAbs().rowwise().maxCoeff();
-  Eigen::Index best = 0;
-  (apart.array().log() - 0.05 * far.array()).maxCoeff(&best);
-  if (!(apart(best) > kDecides)) return std::nullopt;
-  return DecidingPose{grid.q.row(best).transpose(), apart(best)};
+  const VectorXd score = apart.array().log() - 0.05 * far.array();
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(count));
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  std::ranges::sort(order, [&](Eigen::Index i, Eigen::Index k) { return score(i) > score(k); });
+  for (const Eigen::Index k : order)
+    if (apart(k) > kDecides && isReached(from, grid.q.row(k).transpose(), clearance))
+      return DecidingPose{grid.q.row(k).transpose(), apart(k)};
+  return std::nullopt;
 }
 
 }  // namespace heft

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/coach/joint_motion.h"
+#include "core/coach/guided_tool.h"
 #include "core/conventions/check.h"
 #include "core/recording/recording.h"
 
@@ -22,8 +22,9 @@ struct TiedReadings {
 std::optional<TiedReadings> tiedReadings(const conventions::Report& report);
 
 /// Reached by the last three joints from `from`, within their ranges. Nothing where the two expect the same wrench in
-/// all of these: exact ties. `poses`: with joints, in plain form.
+/// all of these: exact ties; or where the arm cannot go straight and clear of everything to one that decides. `poses`:
+/// with joints, in plain form.
 std::optional<DecidingPose> decidingPose(const Recording& poses, const GuidedTool& tool, const TiedReadings& tied,
-                                         const VectorXd& from);
+                                         const VectorXd& from, const Clearance* clearance = nullptr);
 
 }  // namespace heft

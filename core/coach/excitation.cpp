@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/say.h"
 #include "core/motion/resample.h"
 #include "core/simulation/trajectory.h"
 
@@ -160,19 +161,23 @@ double deviationBetween(const GuidedTool& tool, const JointMotion& a, const Join
   return most;
 }
 
+/// Its samples inside a segment, on the whole motion's clock.
+JointMotion partOf(const JointMotion& motion, const Segment& part) {
+  const double* begin = motion.time.data();
+  const auto from = std::lower_bound(begin, begin + motion.size(), part.from) - begin;
+  const auto count = std::max<Eigen::Index>(0, std::lower_bound(begin, begin + motion.size(), part.to) - begin - from);
+  return {motion.time.segment(from, count), motion.q.middleRows(from, count), motion.dq.middleRows(from, count),
+          motion.ddq.middleRows(from, count)};
+}
+
 /// What a replay of the free parts tells.
 Uncertainty afterReplay(OnlineInformation information, const GuidedTool& tool, const Vector3d& gravity,
                         const JointMotion& motion, const std::vector<Segment>& free) {
-  for (const auto& part : free) {
-    const double* begin = motion.time.data();
-    const auto from = std::lower_bound(begin, begin + motion.size(), part.from) - begin;
-    const auto to = std::lower_bound(begin, begin + motion.size(), part.to) - begin;
-    if (to - from < 2) continue;
-    const VectorXd time = motion.time.segment(from, to - from).array() - motion.time(from);
-    information = informationWith(
-        information, rowsOfMotion(information, tool, gravity,
-                                  {time, motion.q.middleRows(from, to - from), motion.dq.middleRows(from, to - from),
-                                   motion.ddq.middleRows(from, to - from)}));
+  for (const auto& segment : free) {
+    JointMotion part = partOf(motion, segment);
+    if (part.size() < 2) continue;
+    part.time.array() -= part.time(0);
+    information = informationWith(information, rowsOfMotion(information, tool, gravity, part));
   }
   return uncertaintyOf(information);
 }
@@ -221,9 +226,19 @@ Result<ExcitedMotion> excite(const Recording& recording, const GuidedTool& given
         fmt::format("No free part of the demonstration is at least {} s long: there is no room for sines.", kShortest)};
 
   const auto waves = wavesFor(*tool.robot, options);
+  // Elsewhere the task touches something on purpose.
+  const auto conflictIn = [&](const JointMotion& motion) -> std::optional<Conflict> {
+    if (options.limits.clearance)
+      for (const auto& part : out.free)
+        if (auto conflict = options.limits.clearance->firstConflict(partOf(motion, part))) return conflict;
+    return std::nullopt;
+  };
+  if (const auto conflict = conflictIn(out.taught))
+    return Error{
+        heft::say("The taught path itself, where it is free, leaves no room for sines: {}", conflict->sentence())};
   const auto within = [&](double scale) {
     const JointMotion motion = withSines(out.taught, out.free, waves, scale);
-    return limitUse(tool, motion, options.limits).kept() &&
+    return limitUse(tool, motion, options.limits).kept() && !conflictIn(motion) &&
            deviationBetween(tool, out.taught, motion) <= options.deviation;
   };
   double low = 0.0, high = options.amplitude;

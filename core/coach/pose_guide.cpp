@@ -298,7 +298,7 @@ std::optional<NextPose> PoseGuide::next(const VectorXd& from) const {
     // Volume of what stays unknown of m and m c; of equal ones the pose that is nearer.
     const double volume = fit.covariance.bottomRightCorner<4, 4>().determinant();
     const double score = -std::log(std::max(volume, 1e-300)) - 0.05 * (q - from).cwiseAbs().maxCoeff();
-    if (score <= bestScore) continue;
+    if (score <= bestScore || !isReached(from, q, options_.clearance)) continue;
     bestScore = score;
     const Eigen::Vector4d sd = massAndCentre(fit).diagonal().cwiseMax(0.0).cwiseSqrt();
     best = NextPose{q,

@@ -1,6 +1,6 @@
 #pragma once
 // The way without motion: stand still in a few poses, a light for each; mass and centre of mass only.
-#include "core/coach/joint_motion.h"
+#include "core/coach/guided_tool.h"
 #include "core/online/online_estimator.h"
 
 namespace heft {
@@ -51,6 +51,7 @@ struct PoseGuideOptions {
   double standStill = 0.02;                ///< Turning rate below which a tool stands [rad/s]
   double hold = 1.0;                       ///< Averaged over so long [s]
   double forceSd = 0.15, torqueSd = 0.01;  ///< What a pose's mean may be off by (drift, calibration) [N], [N m]
+  const Clearance* clearance = nullptr;    ///< Proposed poses are reached straight and clear of everything; or null
 };
 
 class PoseGuide {

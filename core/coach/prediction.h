@@ -1,6 +1,6 @@
 #pragma once
 // What a motion would tell that has not been made yet, from the information so far and the noise seen so far.
-#include "core/coach/joint_motion.h"
+#include "core/coach/guided_tool.h"
 #include "core/online/online_estimator.h"
 
 namespace heft {

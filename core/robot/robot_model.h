@@ -50,6 +50,7 @@ struct Link {
   std::string name;
   int parentJoint = -1;
   std::vector<Visual> visuals;
+  std::vector<Visual> collisions;  ///< Where it takes up room; empty: not stated, or not understood
 };
 
 /// Position, velocity and acceleration of frame S fixed to a link, relative to the base B.

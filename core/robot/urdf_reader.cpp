@@ -54,7 +54,8 @@ class TreeBuilder {
     }
   }
 
-  UrdfTree run(std::map<std::string, std::vector<Visual>> visuals) {
+  UrdfTree run(std::map<std::string, std::vector<Visual>> visuals,
+               std::map<std::string, std::vector<Visual>> collisions) {
     tree_.name = model_.getName();
     // An own stack instead of recursion: a chain may be as long as the file allows.
     struct Pending {
@@ -69,6 +70,7 @@ class TreeBuilder {
       Link link;
       link.name = next.link->name;
       link.visuals = std::move(visuals[link.name]);
+      link.collisions = std::move(collisions[link.name]);
       if (next.link->parent_joint) {
         link.parentJoint = static_cast<int>(tree_.joints.size());
         tree_.joints.push_back(jointOf(*next.link->parent_joint, next.parent, index));
@@ -169,7 +171,8 @@ Result<UrdfTree> readUrdf(const std::string& text, const std::string& file, cons
     if (!reason.empty() && reason.back() != '.') reason += '.';
     return errorAt({file, 0, 0}, heft::say("The URDF cannot be read."), reason);
   }
-  UrdfTree tree = TreeBuilder(*root, *parsed.model).run(readVisuals(*root, file, baseFolder, findings));
+  UrdfTree tree = TreeBuilder(*root, *parsed.model)
+                      .run(readVisuals(*root, file, baseFolder, findings), readCollisions(*root, file, baseFolder));
   for (const auto& [name, link] : parsed.model->links_) {  // A detached loop owns itself and would never be freed.
     link->child_links.clear();
     link->child_joints.clear();

@@ -46,6 +46,9 @@ void holdOthers(UrdfTree& tree, const std::string& file, Findings& findings);
 /// The visuals of every link, by link name. A visual that cannot be understood is left out with a warning.
 std::map<std::string, std::vector<Visual>> readVisuals(const XmlElement& robot, const std::string& file,
                                                        const std::filesystem::path& baseFolder, Findings& findings);
+/// The collision bodies of every link. A link of which one cannot be understood has none: what it looks like stands in.
+std::map<std::string, std::vector<Visual>> readCollisions(const XmlElement& robot, const std::string& file,
+                                                          const std::filesystem::path& baseFolder);
 
 /// Exactly `count` finite numbers separated by blanks, or nullopt.
 std::optional<std::vector<double>> parseNumbers(std::string_view text, std::size_t count);

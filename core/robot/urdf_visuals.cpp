@@ -34,27 +34,7 @@ class VisualReader {
     return visuals;
   }
 
- private:
-  void warn(const XmlElement& where, const char* code, std::string text, std::string remedy) {
-    findings_.push_back(findingAt(where, file_, Severity::warning, code, std::move(text), std::move(remedy)));
-  }
-
-  void collectColours(const XmlElement& parent) {
-    for (const XmlElement& material : parent.children) {
-      if (material.name != "material") continue;
-      const auto rgba = colourOf(material);
-      if (rgba) colours_.emplace(material.attributeOr("name"), *rgba);
-    }
-  }
-
-  static std::optional<Eigen::Vector4d> colourOf(const XmlElement& material) {
-    const XmlElement* colour = material.child("color");
-    if (!colour) return std::nullopt;
-    const auto numbers = parseNumbers(colour->attributeOr("rgba"), 4);
-    if (!numbers) return std::nullopt;
-    return Eigen::Vector4d(numbers->data()).cwiseMax(0.0).cwiseMin(1.0);
-  }
-
+  /// A visual, or a collision, which has the same form.
   std::optional<Visual> readOne(const XmlElement& element, std::string_view link) {
     Visual visual;
     if (const XmlElement* origin = element.child("origin")) {
@@ -78,6 +58,27 @@ class VisualReader {
     if (!readGeometry(geometry->children.front(), link, visual)) return std::nullopt;
     readColour(element, link, visual);
     return visual;
+  }
+
+ private:
+  void warn(const XmlElement& where, const char* code, std::string text, std::string remedy) {
+    findings_.push_back(findingAt(where, file_, Severity::warning, code, std::move(text), std::move(remedy)));
+  }
+
+  void collectColours(const XmlElement& parent) {
+    for (const XmlElement& material : parent.children) {
+      if (material.name != "material") continue;
+      const auto rgba = colourOf(material);
+      if (rgba) colours_.emplace(material.attributeOr("name"), *rgba);
+    }
+  }
+
+  static std::optional<Eigen::Vector4d> colourOf(const XmlElement& material) {
+    const XmlElement* colour = material.child("color");
+    if (!colour) return std::nullopt;
+    const auto numbers = parseNumbers(colour->attributeOr("rgba"), 4);
+    if (!numbers) return std::nullopt;
+    return Eigen::Vector4d(numbers->data()).cwiseMax(0.0).cwiseMin(1.0);
   }
 
   bool readGeometry(const XmlElement& shape, std::string_view link, Visual& visual) {
@@ -181,6 +182,27 @@ class VisualReader {
 std::map<std::string, std::vector<Visual>> readVisuals(const XmlElement& robot, const std::string& file,
                                                        const std::filesystem::path& baseFolder, Findings& findings) {
   return VisualReader(file, baseFolder, findings).read(robot);
+}
+
+std::map<std::string, std::vector<Visual>> readCollisions(const XmlElement& robot, const std::string& file,
+                                                          const std::filesystem::path& baseFolder) {
+  Findings unsaid;
+  VisualReader reader(file, baseFolder, unsaid);
+  std::map<std::string, std::vector<Visual>> out;
+  for (const XmlElement& link : robot.children) {
+    if (link.name != "link") continue;
+    auto& list = out[std::string(link.attributeOr("name"))];
+    for (const XmlElement& element : link.children) {
+      if (element.name != "collision") continue;
+      const auto body = reader.readOne(element, link.attributeOr("name"));
+      if (!body) {
+        list.clear();
+        break;
+      }
+      list.push_back(*body);
+    }
+  }
+  return out;
 }
 
 }  // namespace heft

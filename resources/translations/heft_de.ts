@@ -8601,6 +8601,102 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Working out what would have been seen</source>
         <translation>Es wird berechnet, was zu sehen gewesen wäre</translation>
     </message>
+    <message>
+        <source>The arm&apos;s bodies cannot be read, so motions are not judged against the arm itself: {}</source>
+        <translation>Die Körper des Arms lassen sich nicht lesen; Bewegungen werden deshalb nicht gegen den Arm selbst geprüft: {}</translation>
+    </message>
+    <message>
+        <source>No motion from this posture stays clear of everything: {} Bring the arm to where there is more room.</source>
+        <translation>Keine Bewegung aus dieser Stellung bleibt von allem frei: {} Bringen Sie den Arm dorthin, wo mehr Platz ist.</translation>
+    </message>
+    <message>
+        <source>The taught path itself, where it is free, leaves no room for sines: {}</source>
+        <translation>Schon der gelehrte Weg lässt in seinen freien Teilen keinen Platz für Sinusbewegungen: {}</translation>
+    </message>
+    <message>
+        <source>the tool</source>
+        <translation>das Werkzeug</translation>
+    </message>
+    <message>
+        <source>part {} of the tool</source>
+        <translation>Teil {} des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>{} and {} come within {:.0f} mm of each other, {:.1f} s into the motion.</source>
+        <translation>{} und {} kommen einander auf {:.0f} mm nahe, {:.1f} s nach Beginn der Bewegung.</translation>
+    </message>
+    <message>
+        <source>{} and {} collide {:.1f} s into the motion.</source>
+        <translation>{} und {} stoßen {:.1f} s nach Beginn der Bewegung zusammen.</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <translation>{} und {}</translation>
+    </message>
+    <message>
+        <source>Not judged against each other, as they are as near in the home posture: {}.</source>
+        <translation>Nicht gegeneinander geprüft, da sie einander schon in der Grundstellung so nahe sind: {}.</translation>
+    </message>
+    <message>
+        <source>There is no point to make a hull of.</source>
+        <translation>Es gibt keinen Punkt, um den sich eine Hülle legen ließe.</translation>
+    </message>
+    <message>
+        <source>The hull of {} points cannot be told.</source>
+        <translation>Die Hülle von {} Punkten lässt sich nicht bestimmen.</translation>
+    </message>
+    <message>
+        <source>{}: {} must be three numbers between -{:.0f} and {:.0f}.</source>
+        <translation>{}: {} muss aus drei Zahlen zwischen -{:.0f} und {:.0f} bestehen.</translation>
+    </message>
+    <message>
+        <source>{}: a mesh needs &quot;file&quot;.</source>
+        <translation>{}: Ein Netz braucht &quot;file&quot;.</translation>
+    </message>
+    <message>
+        <source>{}: the unit of a mesh is m, cm, mm or in.</source>
+        <translation>{}: Die Einheit eines Netzes ist m, cm, mm oder in.</translation>
+    </message>
+    <message>
+        <source>{}: {} holds no triangle.</source>
+        <translation>{}: {} enthält kein Dreieck.</translation>
+    </message>
+    <message>
+        <source>{} is no object.</source>
+        <translation>{} ist kein Objekt.</translation>
+    </message>
+    <message>
+        <source>{} needs a &quot;name&quot;, by which it is called in messages.</source>
+        <translation>{} braucht einen &quot;name&quot;, unter dem es in Meldungen steht.</translation>
+    </message>
+    <message>
+        <source>{} ({}) must be one of &quot;plane&quot;, &quot;box&quot; and &quot;mesh&quot;.</source>
+        <translation>{} ({}) muss eines von &quot;plane&quot;, &quot;box&quot; und &quot;mesh&quot; sein.</translation>
+    </message>
+    <message>
+        <source>{}: the normal has no direction.</source>
+        <translation>{}: Die Normale hat keine Richtung.</translation>
+    </message>
+    <message>
+        <source>{}: the edges of a box are above zero.</source>
+        <translation>{}: Die Kanten eines Quaders sind größer als null.</translation>
+    </message>
+    <message>
+        <source>{} is no room: expected {{&quot;schema&quot;: &quot;heft.room/1&quot;, &quot;obstacles&quot;: [...]}}.</source>
+        <translation>{} ist kein Raum: erwartet wird {{&quot;schema&quot;: &quot;heft.room/1&quot;, &quot;obstacles&quot;: [...]}}.</translation>
+    </message>
+    <message>
+        <source>{}: margin_m must be a number from 0 to 0.5.</source>
+        <translation>{}: margin_m muss eine Zahl von 0 bis 0.5 sein.</translation>
+    </message>
+    <message>
+        <source>{}, obstacle {}</source>
+        <translation>{}, Hindernis {}</translation>
+    </message>
+    <message>
+        <source>{}: two obstacles are called {}.</source>
+        <translation>{}: Zwei Hindernisse heißen {}.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

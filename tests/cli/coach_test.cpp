@@ -51,6 +51,28 @@ TEST_F(CoachTest, PosesHaveLightsAndANextPose) {
   EXPECT_EQ(result["next"]["q_rad"].size(), 7u);
 }
 
+TEST_F(CoachTest, KeepsClearOfARoomAndSaysWhatIsInTheWay) {
+  simulate("rec", {"--duration", "5", "--rate", "250", "--speed", "0.2"});
+  write("room.json", R"({"schema": "heft.room/1", "obstacles": [
+      {"name": "table", "plane": {"point_m": [0, 0, -0.1], "normal": [0, 0, 1]}}]})");
+  const std::vector<std::string> coach{
+      "coach", "rec.csv", "--room", "room.json", "--shape", "box:0.06,0.06,0.16@0,0,0.08", "--json", "advice.json"};
+  const Outcome run = heft(coach);
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("20 mm clear of each other and of the 1 obstacle in room.json"));
+  EXPECT_EQ(readJson("advice.json")["clearance"]["obstacles"], 1);
+  EXPECT_EQ(heft({"excite", "rec.csv", "--room", "room.json", "-o", "replay.csv", "--rate", "100"}).exitCode, 0);
+
+  // The whole arm stands in it.
+  write("room.json", R"({"schema": "heft.room/1", "obstacles": [{"name": "block", "box": {"size_m": [4, 4, 4]}}]})");
+  EXPECT_TRUE(failedWithOneSentence(heft(coach), "block"));
+  EXPECT_TRUE(failedWithOneSentence(heft({"excite", "rec.csv", "--room", "room.json", "-o", "more.csv"}), "block"));
+  write("room.json", R"({"schema": "heft.room/1", "obstacles": [{"name": "table", "plane": {"point_m": [0, 0]}}]})");
+  EXPECT_TRUE(failedWithOneSentence(heft(coach), "room.json"));
+  EXPECT_TRUE(failedWithOneSentence(heft({"coach", "rec.csv", "--room", "none.json"}), "none.json"));
+  EXPECT_EQ(heft({"coach", "rec.csv", "--shape", "box:0.1,0.1,0.1", "--shape-file", "tool.json"}).exitCode, 2);
+}
+
 TEST_F(CoachTest, ExcitesAReplay) {
   simulate("rec", {"--duration", "8", "--rate", "250", "--speed", "0.3"});
   const Outcome run = heft({"excite", "rec.csv", "-o", "replay.csv", "--rate", "500", "--json", "replay.json"});

@@ -138,6 +138,56 @@ TEST(JointMotion, QuinticsMeetTheSamplesAndTheirDerivatives) {
   EXPECT_NEAR(motion.slower(2.0).duration(), 8.0, 1e-12);
 }
 
+// A wall beside the tool: what is proposed there is smaller or another motion, and stays clear of it.
+TEST(Coach, KeepsClearOfARoom) {
+  const RobotModel& panda = RobotModel::panda();
+  const GuidedTool tool = *guidedTool(panda, SensorMount{});
+  const VectorXd home = panda.homePosture();
+  HeldTool held{tool.link, tool.X_LS, parseShape("box:0.06,0.06,0.16@0,0,0.08").value()};
+  held.shape->certainty = Certainty::exact;
+  const Isometry3d X_BS = panda.linkPose(home, tool.link) * tool.X_LS;
+  const auto roomWithAWall = [&](double away) {
+    Room room;
+    room.margin = 0.01;
+    room.obstacles.push_back({"wall", RoomBox{{0.1, 0.02, 0.08},
+                                              Isometry3d(Eigen::Translation3d(X_BS * Vector3d(0.0, 0.0, 0.12) +
+                                                                              Vector3d(0.0, 0.04 + away, 0.0)))}});
+    return room;
+  };
+  Findings findings;
+  const auto swing = [&](const Clearance* clearance) {
+    CoachOptions options;
+    options.limits.clearance = clearance;
+    return namedMotion("tilt-sideways", tool, home, options);
+  };
+  const auto size = [&](const Advice& advice) {
+    return (advice.motion.q.rowwise() - home.transpose()).cwiseAbs().maxCoeff();
+  };
+  const auto freely = swing(nullptr);
+  ASSERT_TRUE(freely);
+  const Clearance near = std::move(Clearance::of(panda, held, roomWithAWall(0.05), findings).value());
+  ASSERT_TRUE(near.firstConflict(freely->motion)) << "the wall is in the way of the whole motion";
+  const auto beside = swing(&near);
+  ASSERT_TRUE(beside) << beside.error().message;
+  EXPECT_LT(size(*beside), size(*freely));
+  EXPECT_FALSE(near.firstConflict(beside->motion));
+  for (Eigen::Index k = 0; k < beside->motion.size(); ++k) {
+    const Nearest nearest = near.nearest(beside->motion.q.row(k).transpose());
+    EXPECT_GT(nearest.distance, nearest.margin - 0.001);
+  }
+  const Clearance touching = std::move(Clearance::of(panda, held, roomWithAWall(0.005), findings).value());
+  const auto none = swing(&touching);
+  ASSERT_FALSE(none);
+  EXPECT_THAT(none.error().message, testing::HasSubstr("wall"));
+  const auto advised = advise(std::nullopt, tool, {0.0, 0.0, -9.81}, home, [&] {
+    CoachOptions options;
+    options.limits.clearance = &touching;
+    return options;
+  }());
+  ASSERT_FALSE(advised);
+  EXPECT_THAT(advised.error().message, testing::HasSubstr("stays clear"));
+}
+
 TEST(Coach, AMotionIsHadByItsNameAndKeepsTheLimits) {
   const GuidedTool tool = *guidedTool(RobotModel::panda(), SensorMount{});
   const VectorXd q = dullMotion().q.bottomRows(1).transpose();

@@ -1,24 +1,14 @@
 #pragma once
-// Joint trajectories that are proposed to a person or a robot, and the limits that they keep.
+// The tool on the arm, and the limits that motions proposed to a person or a robot keep.
 #include <string>
 #include <vector>
 
+#include "core/collision/clearance.h"
 #include "core/recording/recording.h"
+#include "core/robot/joint_motion.h"
 #include "core/robot/robot_model.h"
 
 namespace heft {
-
-/// A smooth joint motion, sampled; between the samples quintic polynomials that meet in position, velocity and
-/// acceleration.
-struct JointMotion {
-  VectorXd time;        ///< [s], rising, from 0
-  MatrixXd q, dq, ddq;  ///< N x dof [rad], [rad/s], [rad/s2]
-  Eigen::Index size() const { return time.size(); }
-  double duration() const { return size() > 0 ? time(size() - 1) : 0.0; }
-  void at(double t, VectorXd& position, VectorXd& velocity, VectorXd& acceleration) const;
-  /// The same motion with `factor` times the duration.
-  JointMotion slower(double factor) const;
-};
 
 /// The sensor frame on the arm and the points of the tool whose speed counts.
 struct GuidedTool {
@@ -37,6 +27,8 @@ constexpr double kTcpSpeed = 0.25;
 
 struct MotionLimits {
   double tcpSpeed = kTcpSpeed;  ///< [m/s]
+  const Clearance* clearance =
+      nullptr;  ///< Nothing may come nearer than its margin; null: nobody looks. Outlives this.
 };
 
 /// Largest use of each limit over a motion, 1 = at the limit. The joints' own limits with the same margins as the
@@ -50,6 +42,9 @@ struct LimitUse {
   std::string worst() const;  ///< "the speed of the tool", the limit that is used most
 };
 LimitUse limitUse(const GuidedTool& tool, const JointMotion& motion, const MotionLimits& limits);
+
+/// Whether the arm can go straight from the one posture to the other, clear of everything; true where nobody looks.
+bool isReached(const VectorXd& from, const VectorXd& to, const Clearance* clearance);
 
 /// time, q1.., dq1.., at `rateHz`, in the columns of a recording.
 std::string trajectoryCsv(const JointMotion& motion, double rateHz);

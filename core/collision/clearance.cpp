@@ -1,0 +1,336 @@
+#include "core/collision/clearance.h"
+
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/convex.h>
+#include <fcl/narrowphase/distance.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/base/say.h"
+#include "core/base/text.h"
+#include "core/collision/course.h"
+#include "core/collision/hull.h"
+#include "core/collision/link_bodies.h"
+#include "core/payload/shape_bound.h"
+#include "core/payload/shape_prior.h"
+
+namespace heft {
+
+namespace {
+
+using Surface = fcl::BVHModel<fcl::OBBRSSd>;
+constexpr int kWorld = -1;
+constexpr double kAlways = std::numeric_limits<double>::infinity();  ///< No lower bound is enough
+
+/// A body as FCL has it.
+struct CollisionBody {
+  std::string name;
+  int link = kWorld;
+  Eigen::Matrix3Xd vertices;                   ///< Link axes; the room's: base axes [m]
+  std::optional<ConvexHull> hull;              ///< Solid; nothing: a surface
+  std::optional<RoomPlane> plane;              ///< All behind it is closed; then there is nothing else.
+  std::shared_ptr<const fcl::Convexd> convex;  ///< The hull as FCL has it
+  std::shared_ptr<const Surface> surface;
+  Vector3d centre = Vector3d::Zero();  ///< Of a ball around it
+  double radius = 0.0;
+};
+
+std::shared_ptr<const Surface> surfaceOf(const Eigen::Matrix3Xd& vertices,
+                                         const std::vector<std::array<int, 3>>& triangles) {
+  auto out = std::make_shared<Surface>();
+  out->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.cols()));
+  std::vector<Vector3d> points;
+  for (Eigen::Index i = 0; i < vertices.cols(); ++i) points.emplace_back(vertices.col(i));
+  std::vector<fcl::Triangle> corners;
+  for (const auto& t : triangles)
+    corners.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
+                         static_cast<std::size_t>(t[2]));
+  out->addSubModel(points, corners);
+  out->endModel();
+  return out;
+}
+
+std::shared_ptr<const fcl::Convexd> convexOf(const ConvexHull& hull) {
+  auto points = std::make_shared<std::vector<Vector3d>>();
+  auto faces = std::make_shared<std::vector<int>>();
+  for (Eigen::Index i = 0; i < hull.vertices.cols(); ++i) points->emplace_back(hull.vertices.col(i));
+  for (const auto& t : hull.triangles) faces->insert(faces->end(), {3, t[0], t[1], t[2]});
+  return std::make_shared<const fcl::Convexd>(points, static_cast<int>(hull.triangles.size()), faces);
+}
+
+void setBall(CollisionBody& body) {
+  const Vector3d low = body.vertices.rowwise().minCoeff(), high = body.vertices.rowwise().maxCoeff();
+  body.centre = 0.5 * (low + high);
+  body.radius = (body.vertices.colwise() - body.centre).colwise().norm().maxCoeff();
+}
+
+Result<CollisionBody> solid(std::string name, int link, const Eigen::Matrix3Xd& points) {
+  auto hull = convexHull(points);
+  if (!hull) return Error{fmt::format("{}: {}", name, hull.error().message)};
+  CollisionBody body;
+  body.name = std::move(name);
+  body.link = link;
+  body.vertices = hull->vertices;
+  body.convex = convexOf(*hull);
+  body.surface = surfaceOf(hull->vertices, hull->triangles);
+  body.hull = std::move(*hull);
+  setBall(body);
+  return body;
+}
+
+Eigen::Matrix3Xd boxCorners(const Vector3d& size) {
+  Eigen::Matrix3Xd out(3, 8);
+  for (int i = 0; i < 8; ++i)
+    out.col(i) = 0.5 * size.cwiseProduct(Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
+  return out;
+}
+
+Result<CollisionBody> bodyOf(const Obstacle& obstacle) {
+  if (const auto* plane = std::get_if<RoomPlane>(&obstacle.body)) {
+    CollisionBody body;
+    body.name = obstacle.name;
+    body.plane = *plane;
+    return body;
+  }
+  if (const auto* box = std::get_if<RoomBox>(&obstacle.body))
+    return solid(obstacle.name, kWorld, box->X_BO * boxCorners(box->size));
+  const auto& mesh = std::get<RoomMesh>(obstacle.body);
+  CollisionBody body;
+  body.name = obstacle.name;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<Vector3d> points;
+  for (const auto& part : mesh.mesh->parts) {
+    const int first = static_cast<int>(points.size());
+    for (const auto& v : part.vertices) points.emplace_back(mesh.X_BO * (mesh.unit * v.cast<double>()));
+    for (const auto& t : part.triangles)
+      triangles.push_back(
+          {first + static_cast<int>(t[0]), first + static_cast<int>(t[1]), first + static_cast<int>(t[2])});
+  }
+  body.vertices.resize(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) body.vertices.col(static_cast<Eigen::Index>(i)) = points[i];
+  body.surface = surfaceOf(body.vertices, triangles);
+  setBall(body);
+  return body;
+}
+
+/// The tool's bodies in the link's axes, each grown about its own middle.
+Result<std::vector<CollisionBody>> toolBodies(const HeldTool& tool, Findings& findings) {
+  constexpr double kInterval = 1.96;  // 95 % of a normal distribution
+  std::vector<CollisionBody> out;
+  int number = 0;
+  for (const auto& body : tool.shape->bodies) {
+    Shape one;
+    one.bodies = {body};
+    one.certainty = tool.shape->certainty;
+    const auto samples = sampleShape(one, findings);
+    if (!samples) return samples.error();
+    Eigen::Matrix3Xd points = boundPoints(one, *samples);
+    const double grown =
+        1.0 + kInterval * trustIn(one.certainty, body.kind, static_cast<int>(tool.shape->bodies.size())).stretch;
+    const Vector3d middle = 0.5 * (points.rowwise().minCoeff() + points.rowwise().maxCoeff());
+    points = (grown * (points.colwise() - middle)).colwise() + middle;
+    ++number;
+    const std::string name =
+        tool.shape->bodies.size() == 1 ? heft::say("the tool") : heft::say("part {} of the tool", number);
+    auto made = solid(name, tool.link, tool.X_LS * points);
+    if (!made) return made.error();
+    out.push_back(std::move(*made));
+  }
+  return out;
+}
+
+}  // namespace
+
+struct Clearance::Impl {
+  const RobotModel* robot = nullptr;
+  double margin = 0.02;
+  std::vector<CollisionBody> bodies;
+  struct Pair {
+    std::size_t a = 0, b = 0;
+    double margin = 0.0;
+    VectorXd reach;  ///< How far a joint moves the one against the other at most [m/rad], one a column of q
+  };
+  std::vector<Pair> pairs;
+
+  Isometry3d poseOf(const CollisionBody& body, const VectorXd& q) const {
+    return body.link == kWorld ? Isometry3d(Isometry3d::Identity()) : robot->linkPose(q, body.link);
+  }
+
+  /// How far apart the hulls of two bodies are along `direction` (unit length, base axes): their distance is no less.
+  static double apartAlong(const Vector3d& direction, const CollisionBody& a, const Isometry3d& X_Ba,
+                           const CollisionBody& b, const Isometry3d& X_Bb) {
+    const Vector3d in_a = X_Ba.linear().transpose() * direction, in_b = X_Bb.linear().transpose() * direction;
+    return (in_b.transpose() * b.vertices).minCoeff() - (in_a.transpose() * a.vertices).maxCoeff() +
+           direction.dot(X_Bb.translation() - X_Ba.translation());
+  }
+
+  /// Of two hulls. FCL's search for the nearest points of convex bodies ends too early now and then, with a distance
+  /// that is millimetres too large: the direction that it finds proves a distance, and where that is less than it says,
+  /// the surfaces' triangles are compared. `direction` gets it.
+  static double betweenHulls(const CollisionBody& a, const Isometry3d& X_Ba, const CollisionBody& b,
+                             const Isometry3d& X_Bb, Vector3d& direction) {
+    constexpr double kPrecise = 1e-4;  // [m]
+    fcl::DistanceRequestd request(true);
+    fcl::DistanceResultd result;
+    const double said = fcl::distance(a.convex.get(), X_Ba, b.convex.get(), X_Bb, request, result);
+    if (said > 0.0) {
+      const Vector3d across = result.nearest_points[1] - result.nearest_points[0];
+      if (across.norm() > 0.0) direction = across.normalized();
+      const double proven = apartAlong(direction, a, X_Ba, b, X_Bb);
+      if (proven > said - kPrecise) return proven;
+    }
+    return betweenSurfaces(a, X_Ba, b, X_Bb);
+  }
+
+  static double betweenSurfaces(const CollisionBody& a, const Isometry3d& X_Ba, const CollisionBody& b,
+                                const Isometry3d& X_Bb) {
+    const fcl::DistanceRequestd request(false);
+    fcl::DistanceResultd result;
+    const double between = fcl::distance(a.surface.get(), X_Ba, b.surface.get(), X_Bb, request, result);
+    if (between <= 0.0) return 0.0;
+    // Surfaces are apart, too, where one body lies wholly in the other.
+    if (b.hull && b.hull->contains(X_Bb.inverse() * (X_Ba * Vector3d(a.vertices.col(0))))) return 0.0;
+    if (a.hull && a.hull->contains(X_Ba.inverse() * (X_Bb * Vector3d(b.vertices.col(0))))) return 0.0;
+    return between;
+  }
+
+  /// 0 where they touch or overlap. What is surely farther apart than `enough` may be told by a lower bound.
+  /// `direction`: from a look before at the same pair, or any; gets the one that parts them best.
+  double distance(const Pair& pair, const VectorXd& q, double enough, Vector3d& direction) const {
+    const CollisionBody &a = bodies[pair.a], &b = bodies[pair.b];
+    const Isometry3d X_Ba = poseOf(a, q);
+    if (b.plane) {
+      const Vector3d n_a = X_Ba.linear().transpose() * b.plane->normal;
+      const double height = b.plane->normal.dot(X_Ba.translation() - b.plane->point);
+      return std::max(0.0, height + (n_a.transpose() * a.vertices).minCoeff());
+    }
+    const Isometry3d X_Bb = poseOf(b, q);
+    const double balls = (X_Ba * a.centre - X_Bb * b.centre).norm() - a.radius - b.radius;
+    if (balls > enough) return balls;
+    if (!b.hull) return betweenSurfaces(a, X_Ba, b, X_Bb);
+    if (const double before = apartAlong(direction, a, X_Ba, b, X_Bb); before > enough) return before;
+    return betweenHulls(a, X_Ba, b, X_Bb, direction);
+  }
+
+  Nearest named(const Pair& pair, double distance) const {
+    return {bodies[pair.a].name, bodies[pair.b].name, distance, pair.margin};
+  }
+
+  /// Joints between the two bodies, and how far each reaches.
+  VectorXd reachOf(const CollisionBody& a, const CollisionBody& b) const {
+    const VectorXd ofA = jointReach(*robot, a.link, a.vertices);
+    if (b.link == kWorld) return ofA;
+    const VectorXd ofB = jointReach(*robot, b.link, b.vertices);
+    const std::vector<bool> both = sharedJoints(*robot, a.link, b.link);
+    VectorXd out = VectorXd::Zero(robot->dof());
+    for (Eigen::Index j = 0; j < out.size(); ++j)
+      if (!both[static_cast<std::size_t>(j)]) out(j) = ofA(j) + ofB(j);
+    return out;
+  }
+};
+
+std::string Conflict::sentence() const {
+  return bodies.distance > 0.0
+             ? heft::say("{} and {} come within {:.0f} mm of each other, {:.1f} s into the motion.", bodies.first,
+                         bodies.second, 1e3 * bodies.distance, time)
+             : heft::say("{} and {} collide {:.1f} s into the motion.", bodies.first, bodies.second, time);
+}
+
+Clearance::Clearance(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Clearance::Clearance(Clearance&&) noexcept = default;
+Clearance& Clearance::operator=(Clearance&&) noexcept = default;
+Clearance::~Clearance() = default;
+double Clearance::margin() const { return impl_->margin; }
+
+Result<Clearance> Clearance::of(const RobotModel& robot, const HeldTool& tool, const Room& room, Findings& findings) {
+  auto impl = std::make_unique<Impl>();
+  impl->robot = &robot;
+  impl->margin = room.margin;
+  auto links = linkBodies(robot, tool.shape ? std::optional(tool.link) : std::nullopt);
+  if (!links) return links.error();
+  for (auto& part : *links) {
+    auto body = solid(part.name, part.link, part.points);
+    if (!body) return body.error();
+    impl->bodies.push_back(std::move(*body));
+  }
+  const std::size_t arm = impl->bodies.size();
+  if (tool.shape) {
+    auto bodies = toolBodies(tool, findings);
+    if (!bodies) return bodies.error();
+    for (auto& body : *bodies) impl->bodies.push_back(std::move(body));
+  }
+  const std::size_t own = impl->bodies.size();
+  for (const auto& obstacle : room.obstacles) {
+    auto body = bodyOf(obstacle);
+    if (!body) return body.error();
+    impl->bodies.push_back(std::move(*body));
+  }
+  const VectorXd home = robot.homePosture();
+  std::set<std::string> coarse;
+  for (std::size_t a = 0; a < own; ++a)
+    for (std::size_t b = a + 1; b < impl->bodies.size(); ++b) {
+      const CollisionBody &first = impl->bodies[a], &second = impl->bodies[b];
+      // The arm's own controller keeps it off itself, and hulls are larger than links.
+      Impl::Pair pair{a, b, b < arm ? 0.0 : impl->margin, impl->reachOf(first, second)};
+      // A pedestal stands where it stands, and neighbours turn about one joint: they are made not to meet.
+      if ((pair.reach.array() > 0.0).count() < (second.link == kWorld ? 1 : 2)) continue;
+      Vector3d direction = Vector3d::UnitZ();
+      if (second.link != kWorld && impl->distance(pair, home, kAlways, direction) <= pair.margin) {
+        coarse.insert(heft::say("{} and {}", first.name, second.name));
+        continue;
+      }
+      impl->pairs.push_back(std::move(pair));
+    }
+  if (!coarse.empty())
+    findings.push_back({Severity::info,
+                        "too_coarse_to_part",
+                        heft::say("Not judged against each other, as they are as near in the home posture: {}.",
+                                  joined({coarse.begin(), coarse.end()})),
+                        {},
+                        {}});
+  return Clearance(std::move(impl));
+}
+
+Nearest Clearance::nearest(const VectorXd& q) const {
+  Nearest out{"", "", kAlways, 0.0};
+  for (const auto& pair : impl_->pairs) {
+    Vector3d direction = Vector3d::UnitZ();
+    const double least = out.distance - out.margin;
+    const double d = impl_->distance(pair, q, least + pair.margin, direction);
+    if (d - pair.margin < least) out = impl_->named(pair, d);
+  }
+  return out;
+}
+
+std::optional<Conflict> Clearance::firstConflict(const JointMotion& motion) const {
+  constexpr double kStep = 0.001;  // As near as this to the margin is within it [m]
+  constexpr double kFar = 0.05;    // Beyond it a lower bound is good enough [m]
+  std::optional<Conflict> out;
+  if (motion.size() == 0) return out;
+  const Course course(motion);
+  VectorXd q;
+  for (const auto& pair : impl_->pairs) {
+    const VectorXd moved = course.movedBy(pair.reach);
+    double t = motion.time(0);
+    const double end = out ? out->time : motion.duration();
+    Vector3d direction = Vector3d::UnitZ();
+    double room = kFar;
+    while (t <= end) {
+      course.at(t, q);
+      // Along the direction of before it may be proven that they are far enough apart for a step nearly as large.
+      room = impl_->distance(pair, q, pair.margin + std::clamp(0.5 * room, kStep, kFar), direction) - pair.margin;
+      if (room <= 0.0) {
+        if (!out || t < out->time) out = Conflict{impl_->named(pair, std::max(0.0, room + pair.margin)), t};
+        break;
+      }
+      t = course.untilMoved(moved, t, std::max(room, kStep));
+    }
+  }
+  return out;
+}
+
+}  // namespace heft
