@@ -56,6 +56,7 @@ Command makeCompensateCommand(CLI::App& root);
 Command makeProveCommand(CLI::App& root);
 Command makeCoachCommand(CLI::App& root);
 Command makeExciteCommand(CLI::App& root);
+Command makeRoomCommand(CLI::App& root);
 
 /// "heft 0.2.0"
 std::string programVersion();

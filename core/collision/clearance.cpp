@@ -15,7 +15,7 @@
 #include "core/collision/course.h"
 #include "core/collision/hull.h"
 #include "core/collision/link_bodies.h"
-#include "core/payload/shape_bound.h"
+#include "core/collision/tool_outline.h"
 #include "core/payload/shape_prior.h"
 
 namespace heft {
@@ -120,23 +120,17 @@ Result<CollisionBody> bodyOf(const Obstacle& obstacle) {
 /// The tool's bodies in the link's axes, each grown about its own middle.
 Result<std::vector<CollisionBody>> toolBodies(const HeldTool& tool, Findings& findings) {
   constexpr double kInterval = 1.96;  // 95 % of a normal distribution
+  auto outlines = outlinesOf(*tool.shape, findings);
+  if (!outlines) return outlines.error();
   std::vector<CollisionBody> out;
-  int number = 0;
-  for (const auto& body : tool.shape->bodies) {
-    Shape one;
-    one.bodies = {body};
-    one.certainty = tool.shape->certainty;
-    const auto samples = sampleShape(one, findings);
-    if (!samples) return samples.error();
-    Eigen::Matrix3Xd points = boundPoints(one, *samples);
-    const double grown =
-        1.0 + kInterval * trustIn(one.certainty, body.kind, static_cast<int>(tool.shape->bodies.size())).stretch;
+  const std::size_t count = outlines->size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Eigen::Matrix3Xd& points = (*outlines)[i];
+    const double stretch = trustIn(tool.shape->certainty, tool.shape->bodies[i].kind, static_cast<int>(count)).stretch;
     const Vector3d middle = 0.5 * (points.rowwise().minCoeff() + points.rowwise().maxCoeff());
-    points = (grown * (points.colwise() - middle)).colwise() + middle;
-    ++number;
-    const std::string name =
-        tool.shape->bodies.size() == 1 ? heft::say("the tool") : heft::say("part {} of the tool", number);
-    auto made = solid(name, tool.link, tool.X_LS * points);
+    points = ((1.0 + kInterval * stretch) * (points.colwise() - middle)).colwise() + middle;
+    auto made = solid(count == 1 ? heft::say("the tool") : heft::say("part {} of the tool", i + 1), tool.link,
+                      tool.X_LS * points);
     if (!made) return made.error();
     out.push_back(std::move(*made));
   }

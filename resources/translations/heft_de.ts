@@ -8697,6 +8697,30 @@ Bitte prüfen Sie den Namen.</translation>
         <source>{}: two obstacles are called {}.</source>
         <translation>{}: Zwei Hindernisse heißen {}.</translation>
     </message>
+    <message>
+        <source>it presses with less than {:.0f} N</source>
+        <translation>es drückt mit weniger als {:.0f} N</translation>
+    </message>
+    <message>
+        <source>the direction of the force wanders by {:.0f} degrees</source>
+        <translation>die Richtung der Kraft schwankt um {:.0f} Grad</translation>
+    </message>
+    <message>
+        <source>it moves by {:.0f} mm while it is pressed</source>
+        <translation>es bewegt sich um {:.0f} mm, während es drückt</translation>
+    </message>
+    <message>
+        <source>Where the tool was is not known: joint angles, or poses with positions, are needed.</source>
+        <translation>Wo das Werkzeug war, ist nicht bekannt: Gelenkwinkel oder Posen mit Positionen werden gebraucht.</translation>
+    </message>
+    <message>
+        <source>The contact from {:.1f} to {:.1f} s gives no plane: {}.</source>
+        <translation>Der Kontakt von {:.1f} bis {:.1f} s ergibt keine Ebene: {}.</translation>
+    </message>
+    <message>
+        <source>Press the tool against the wall or table and hold it for a second.</source>
+        <translation>Drücken Sie das Werkzeug gegen die Wand oder den Tisch und halten Sie es eine Sekunde lang.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -73,6 +73,22 @@ TEST_F(CoachTest, KeepsClearOfARoomAndSaysWhatIsInTheWay) {
   EXPECT_EQ(heft({"coach", "rec.csv", "--shape", "box:0.1,0.1,0.1", "--shape-file", "tool.json"}).exitCode, 2);
 }
 
+TEST_F(CoachTest, ARoomIsWrittenFromTouchesAndReadAgain) {
+  simulate("pick", {"--motion", "pick-and-place", "--seed", "3", "--duration", "15"});
+  const std::vector<std::string> room{"room", "pick.csv", "--shape", "cylinder:0.01,0.15@0,0,0.075", "-o", "room.json"};
+  const Outcome run = heft(room);
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("touch"));
+  const json written = readJson("room.json");
+  EXPECT_EQ(written["schema"], "heft.room/1");
+  ASSERT_GE(written["obstacles"].size(), 1u);
+  EXPECT_EQ(heft(room).exitCode, 0) << "its own file";
+  EXPECT_EQ(heft({"room", "pick.csv", "-o", "room.json"}).exitCode, 2) << "without a shape";
+  simulate("free", {"--motion", "free", "--seed", "3", "--duration", "8"});
+  EXPECT_TRUE(
+      failedWithOneSentence(heft({"room", "free.csv", "--shape", "sphere:0.03", "-o", "none.json"}), "free.csv"));
+}
+
 TEST_F(CoachTest, ExcitesAReplay) {
   simulate("rec", {"--duration", "8", "--rate", "250", "--speed", "0.3"});
   const Outcome run = heft({"excite", "rec.csv", "-o", "replay.csv", "--rate", "500", "--json", "replay.json"});

@@ -1,0 +1,35 @@
+#pragma once
+// Walls and tables that were touched by hand: where a tool of known shape presses, a plane begins.
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/collision/room.h"
+#include "core/compensation/compensation.h"
+#include "core/payload/shape.h"
+
+namespace heft {
+
+struct TouchedPlane {
+  RoomPlane plane;
+  std::vector<std::pair<double, double>> when;  ///< Touches that it comes from [s]
+  double normalSpread = 0.0;                    ///< Of the force's direction about the normal [rad]
+  double offsetSpread = 0.0;                    ///< Of the plane along its normal [m]
+};
+
+struct TouchedRoom {
+  std::vector<TouchedPlane> planes;  ///< In the order of their first touch, base axes
+  Findings findings;                 ///< Touches of which none was made, and why
+};
+
+/// Each contact of `compensated`, which is of this recording, is taken for a touch of something flat: its normal is the
+/// mean direction of what presses on the tool, less what is along the way that the tool slides (friction), and it
+/// begins where the tool's shape ends against that direction. Touches of the same plane are one. Fails where the
+/// sensor's position is not known, and where the shape cannot be read.
+Result<TouchedRoom> touchedRoom(const Recording& recording, const RobotModel* robot, const Compensated& compensated,
+                                const Shape& tool);
+
+/// The planes as obstacles: "table" where one faces up, "ceiling", "wall"; numbered where there are several.
+Room roomOf(const TouchedRoom& touched, double margin);
+
+}  // namespace heft
