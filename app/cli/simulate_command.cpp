@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "app/cli/clearance_options.h"
 #include "app/cli/cli.h"
 #include "app/cli/default_tool.h"
 #include "app/cli/twin_recording.h"
@@ -26,6 +27,7 @@ struct SimulateArguments {
   std::string motion, payload, output, truth, json, xyz, rpy, seed = "1";
   std::vector<std::string> effects;
   LikeArguments like;
+  ClearanceArguments clearance;
   SimulateOptions simulate;
   bool force = false;
 };
@@ -86,6 +88,29 @@ std::string effectList() {
   return text;
 }
 
+/// The motion as recorded, its accelerations from its speeds.
+JointMotion motionIn(const Recording& recording) {
+  JointMotion out{recording.time, recording.q, recording.dq, MatrixXd::Zero(recording.rows(), recording.q.cols())};
+  for (Eigen::Index k = 1; k + 1 < out.size(); ++k)
+    out.ddq.row(k) = (out.dq.row(k + 1) - out.dq.row(k - 1)) / (out.time(k + 1) - out.time(k - 1));
+  return out;
+}
+
+/// Throws Failed where a motion that shall stay clear of a room does not.
+void requireClear(const ClearanceArguments& arguments, const Recording& recording) {
+  if (arguments.room.empty()) {
+    if (!arguments.shape.empty() || !arguments.shapeFile.empty())
+      throw WrongUsage("--shape and --shape-file say what the arm holds in a --room.");
+    return;
+  }
+  Findings findings;
+  const GuidedTool tool = orFail(guidedTool(RobotModel::panda(), recording.meta.mount));
+  const Surroundings around(arguments, tool, findings);
+  printFindings(findings, false);
+  if (const auto conflict = around.clearance()->firstConflict(motionIn(recording)))
+    throw Failed(fmt::format("{} Another --seed makes another motion.", conflict->sentence()));
+}
+
 void run(SimulateArguments options) {
   const std::vector<std::string> words{"excitation", "pick-and-place", "free"};
   constexpr std::array kMotions{MotionKind::excitation, MotionKind::pickAndPlace, MotionKind::free};
@@ -131,6 +156,7 @@ void run(SimulateArguments options) {
                           options.payload.empty() ? std::nullopt : std::optional(payload), line.progress(), causes);
     return orFail(simulate(RobotModel::panda(), payload, options.simulate, line.progress()));
   }();
+  requireClear(options.clearance, simulated.recording);
   simulated.recording.meta.note =
       fmt::format("{}: {}, seed {}, {} Hz", kNote, words[motion], options.simulate.seed, options.simulate.rateHz);
   requireExpendable(csv, simulated.recording.meta, options.force);
@@ -217,6 +243,7 @@ Command makeSimulateCommand(CLI::App& root) {
       ->type_name("X,Y,Z");
   app->add_option("--rpy", options->rpy, "Sensor rotation on the flange, roll,pitch,yaw [rad]; otherwise 0,0,0")
       ->type_name("R,P,Y");
+  addClearanceOptions(*app, options->clearance);
   app->add_option("--effect", options->effects,
                   "Hide a fault of the rig: ID=SIZE or ID/FORM=SIZE (cable_pull=3, time_offset=-8,\n"
                   "low_pass_lag/second-order=15); may be given several times; see --list-effects")

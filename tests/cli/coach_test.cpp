@@ -67,6 +67,11 @@ TEST_F(CoachTest, KeepsClearOfARoomAndSaysWhatIsInTheWay) {
   write("room.json", R"({"schema": "heft.room/1", "obstacles": [{"name": "block", "box": {"size_m": [4, 4, 4]}}]})");
   EXPECT_TRUE(failedWithOneSentence(heft(coach), "block"));
   EXPECT_TRUE(failedWithOneSentence(heft({"excite", "rec.csv", "--room", "room.json", "-o", "more.csv"}), "block"));
+  const std::vector<std::string> simulated{"simulate", "--motion", "free",      "--duration", "3",         "--rate",
+                                           "250",      "--room",   "room.json", "-o",         "inside.csv"};
+  EXPECT_TRUE(failedWithOneSentence(heft(simulated), "block"));
+  write("room.json", R"({"schema": "heft.room/1", "obstacles": []})");
+  EXPECT_EQ(heft(simulated).exitCode, 0);
   write("room.json", R"({"schema": "heft.room/1", "obstacles": [{"name": "table", "plane": {"point_m": [0, 0]}}]})");
   EXPECT_TRUE(failedWithOneSentence(heft(coach), "room.json"));
   EXPECT_TRUE(failedWithOneSentence(heft({"coach", "rec.csv", "--room", "none.json"}), "none.json"));
