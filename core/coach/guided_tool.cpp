@@ -56,6 +56,12 @@ LimitUse limitUse(const GuidedTool& tool, const JointMotion& motion, const Motio
   return use;
 }
 
+std::optional<Clearance> armClearance(const GuidedTool& tool) {
+  Findings findings;
+  auto made = Clearance::of(*tool.robot, {tool.link, tool.X_LS, std::nullopt}, {}, findings);
+  return made ? std::optional<Clearance>(std::move(*made)) : std::nullopt;
+}
+
 bool isReached(const VectorXd& from, const VectorXd& to, const Clearance* clearance) {
   constexpr double kSeconds = 1.0;  // How long it takes changes nothing
   return clearance == nullptr || !clearance->firstConflict(straightMotion(from, to, kSeconds));

@@ -1,5 +1,6 @@
 #pragma once
 // The tool on the arm, and the limits that motions proposed to a person or a robot keep.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,10 @@ struct LimitUse {
   std::string worst() const;  ///< "the speed of the tool", the limit that is used most
 };
 LimitUse limitUse(const GuidedTool& tool, const JointMotion& motion, const MotionLimits& limits);
+
+/// Arm and what it carries against each other, without a room; nothing where the arm's bodies cannot be read. Takes a
+/// tenth of a second; the tool's robot must outlive it.
+std::optional<Clearance> armClearance(const GuidedTool& tool);
 
 /// Whether the arm can go straight from the one posture to the other, clear of everything; true where nobody looks.
 bool isReached(const VectorXd& from, const VectorXd& to, const Clearance* clearance);

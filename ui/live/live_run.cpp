@@ -56,6 +56,7 @@ Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   session_ = std::move(session);
   virtualArm_ = setup.virtualArm;
   robot_ = setup.robot;
+  arm_ = std::make_shared<ArmAlone>();
   meta_ = setup.meta;
   shape_ = setup.shape;
   origin_ = setup.origin;
@@ -121,6 +122,7 @@ bool LiveRun::prepare() {
     auto robot = robotFor(meta_, findings);
     if (!robot) return stop(), emit failed(QString::fromStdString(robot.error().message)), false;
     robot_ = std::make_shared<const RobotModel>(std::move(*robot));
+    arm_ = std::make_shared<ArmAlone>();
     // At once: a recording that is cut off has to tell it, too.
     if (!file_.isEmpty()) (void)writeMeta(meta_, metaFileOf(file_.toStdString()));
   }
@@ -206,11 +208,15 @@ void LiveRun::coach() {
   advisedAt_ = view_.time;
   coaching().start(
       QString(),
-      [robot = robot_, meta = meta_, q = *view_.q, information = view_.information](const Progress&) -> Result<Advice> {
+      [robot = robot_, meta = meta_, q = *view_.q, information = view_.information,
+       arm = arm_](const Progress&) -> Result<Advice> {
         auto tool = guidedTool(*robot, meta.mount);
         if (!tool) return tool.error();
+        if (!std::exchange(arm->known, true)) arm->clearance = armClearance(*tool);
+        CoachOptions options;
+        options.limits.clearance = arm->clearance ? &*arm->clearance : nullptr;
         return advise(information ? std::optional(*information) : std::nullopt, *tool, meta.gravity,
-                      robot->clampToLimits(q));
+                      robot->clampToLimits(q), options);
       },
       [this, run = run_](Result<Advice> result) {
         if (run != run_ || !session_) return pump();

@@ -105,6 +105,12 @@ class LiveRun : public QObject {
   std::shared_ptr<LiveSession> session_;
   VirtualSource* virtualArm_ = nullptr;
   std::shared_ptr<const RobotModel> robot_;
+  /// What keeps the arm off itself, made with the first piece of advice, beside the window.
+  struct ArmAlone {
+    bool known = false;
+    std::optional<Clearance> clearance;
+  };
+  std::shared_ptr<ArmAlone> arm_ = std::make_shared<ArmAlone>();
   RecordingMeta meta_;
   std::optional<Shape> shape_;
   LiveOrigin origin_;

@@ -40,7 +40,10 @@ void DecidingMotion::show(const std::string& motion) {
       [opened, motion, q = VectorXd(opened->recording.q.row(row).transpose())](const Progress&) -> Result<Advice> {
         const auto tool = guidedTool(*opened->robot, opened->recording.meta.mount);
         if (!tool) return tool.error();
-        return namedMotion(motion, *tool, opened->robot->clampToLimits(q));
+        const auto clearance = armClearance(*tool);
+        CoachOptions options;
+        options.limits.clearance = clearance ? &*clearance : nullptr;
+        return namedMotion(motion, *tool, opened->robot->clampToLimits(q), options);
       },
       [this](Result<Advice> advice) {
         if (advice) {
