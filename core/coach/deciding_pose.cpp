@@ -10,6 +10,7 @@
 #include "core/coach/pose_guide.h"
 #include "core/conventions/fit.h"
 #include "core/motion/motion.h"
+#include "core/simulation/trajectory.h"
 #include "core/wrench/regressor.h"
 
 namespace heft {
