@@ -31,6 +31,7 @@ struct EstimateArguments {
   std::string robot, known, mass, cad, certainty, shape, shapeFile, json, output, format = "json";
   std::string method, parameters, segments, smoothing, conventions = "as-stated";
   std::string jsonLines, minus;
+  bool pickedUp = false;
   int jobs = 0;
   bool noBias = false, force = false, compare = false, each = false;
   ImportOptions import;
@@ -162,9 +163,11 @@ void runEach(const EstimateArguments& options, const EstimateOptions& settings) 
 void run(const EstimateArguments& options) {
   const auto start = Clock::now();
   const EstimateOptions settings = estimateOptions(options);
-  if (!options.minus.empty()) {
+  if (!options.minus.empty() || options.pickedUp) {
+    if (!options.minus.empty() && options.pickedUp)
+      throw WrongUsage("--minus takes a second recording, --picked-up finds both parts in one: give one of them.");
     if (options.recordings.size() > 1 || options.each || options.compare || !options.output.empty())
-      throw WrongUsage("--minus takes one recording with the object and one without; no --each, --compare or -o.");
+      throw WrongUsage("--minus and --picked-up take one recording with the object; no --each, --compare or -o.");
     return estimateObject({options.recordings.front(), options.minus, options.robot, options.json, options.force},
                           options.import, settings);
   }
@@ -208,15 +211,13 @@ void run(const EstimateArguments& options) {
 void addManyOptions(CLI::App& app, EstimateArguments& options) {
   const char* const kManyGroup = "Many recordings, each by itself";
   app.add_flag("--each", options.each,
-                "Estimate each recording by itself; those that have a line already are passed over")
+               "Estimate each recording by itself; those that have a line already are passed over")
       ->group(kManyGroup);
   app.add_option("--json-lines", options.jsonLines,
-                  "One line of JSON a recording: its result, or \"file\" and \"error\"; - is stdout")
+                 "One line of JSON a recording: its result, or \"file\" and \"error\"; - is stdout")
       ->type_name("FILE")
       ->group(kManyGroup);
-  app.add_option("--jobs", options.jobs, "How many at a time; one a core if absent")
-      ->type_name("N")
-      ->group(kManyGroup);
+  app.add_option("--jobs", options.jobs, "How many at a time; one a core if absent")->type_name("N")->group(kManyGroup);
 }
 
 void addMethodOptions(CLI::App& app, EstimateArguments& options) {
@@ -231,12 +232,12 @@ void addMethodOptions(CLI::App& app, EstimateArguments& options) {
       ->group(kMethodGroup);
   app.add_flag("--compare", options.compare, "Show all methods side by side; --json and -o hold the chosen one")
       ->group(kMethodGroup);
-  app.add_option("--known", options.known,
-                  "Payload JSON: values of what is not estimated; errors are told against it")
+  app.add_option("--known", options.known, "Payload JSON: values of what is not estimated; errors are told against it")
       ->type_name("FILE")
       ->group(kMethodGroup);
   app.add_flag("--no-bias", options.noBias, "Do not estimate the six sensor biases")->group(kMethodGroup);
-  app.add_flag("--uncompressed", options.estimate.uncompressed, "Solve on all rows instead of the triangle they reduce to")
+  app.add_flag("--uncompressed", options.estimate.uncompressed,
+               "Solve on all rows instead of the triangle they reduce to")
       ->group(kMethodGroup);
 }
 
@@ -247,8 +248,8 @@ void addDataOptions(CLI::App& app, EstimateArguments& options) {
       ->capture_default_str()
       ->group(kDataGroup);
   app.add_option("--segments", options.segments,
-                  "auto: find contact; marks: only what is marked free; all: everything.\n"
-                  "Otherwise marks where the recording has any, else auto")
+                 "auto: find contact; marks: only what is marked free; all: everything.\n"
+                 "Otherwise marks where the recording has any, else auto")
       ->type_name("NAME")
       ->group(kDataGroup);
 }
@@ -256,21 +257,22 @@ void addDataOptions(CLI::App& app, EstimateArguments& options) {
 void addToolOptions(CLI::App& app, EstimateArguments& options) {
   const char* const kShapeGroup = "Shape of the tool, where the motion cannot tell its inertia";
   app.add_option("--shape", options.shape,
-                  "KIND:DIMS[@POSE] in metres: box:x,y,z cylinder:radius,height tube:outer,inner,height\n"
-                  "sphere:radius cone:radius,height capsule:radius,length plate:x,y,thickness;\n"
-                  "POSE is x,y,z[,roll,pitch,yaw] in sensor axes")
+                 "KIND:DIMS[@POSE] in metres: box:x,y,z cylinder:radius,height tube:outer,inner,height\n"
+                 "sphere:radius cone:radius,height capsule:radius,length plate:x,y,thickness;\n"
+                 "POSE is x,y,z[,roll,pitch,yaw] in sensor axes")
       ->type_name("SHAPE")
       ->group(kShapeGroup);
   app.add_option("--shape-file", options.shapeFile, "Shape as JSON: several bodies, meshes")
       ->type_name("FILE")
       ->group(kShapeGroup);
-  app.add_flag("--inside-shape", options.estimate.insideShape, "Hold all mass inside the shape (map)")->group(kShapeGroup);
+  app.add_flag("--inside-shape", options.estimate.insideShape, "Hold all mass inside the shape (map)")
+      ->group(kShapeGroup);
   const char* const kBeliefGroup = "What else is known of the tool, weighed against the motion (method map)";
   app.add_option("--mass", options.mass, "What a scale shows [kg]: 0.812, 0.812+-0.004 or 0.812+-1%; else +-0.5%")
       ->type_name("KG")
       ->group(kBeliefGroup);
   app.add_option("--cad", options.cad,
-                  "Payload JSON from CAD; may hold \"certainty\" and \"weights\": {\"mass\", \"centre\", \"shape\"}")
+                 "Payload JSON from CAD; may hold \"certainty\" and \"weights\": {\"mass\", \"centre\", \"shape\"}")
       ->type_name("FILE")
       ->group(kBeliefGroup);
   app.add_option("--certainty", options.certainty, "rough, good or exact: how sure the shape or the CAD file is")
@@ -325,6 +327,8 @@ Command makeEstimateCommand(CLI::App& root) {
   app->add_option("--minus", options->minus,
                   "The same tool without what it carries: the object's own mass, centre and inertia")
       ->type_name("WITHOUT");
+  app->add_flag("--picked-up", options->pickedUp,
+                "Something is picked up or put down in the recording: the object's own mass, centre and inertia");
   addRecordingOptions(*app, options->import);
   addRateOption(*app, options->import);
   addConventionChoice(*app, options->conventions);
@@ -340,6 +344,7 @@ Command makeEstimateCommand(CLI::App& root) {
       "  heft estimate rec.csv --compare\n"
       "  heft estimate first.csv second.csv third.csv\n"
       "  heft estimate with.csv --minus without.csv\n"
+      "  heft estimate grasp.csv --picked-up\n"
       "  heft estimate --each *.bag --jobs 4 --json-lines results.jsonl\n"
       "  heft estimate rec.csv --shape cylinder:0.03,0.15@0,0,0.08 --mass 0.812\n\n"
       "A fit that is poor, or a number that the motion cannot tell, is a result that says so (exit code 0).");

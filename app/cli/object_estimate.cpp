@@ -1,28 +1,60 @@
 #include "app/cli/object_estimate.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "app/cli/cli.h"
 #include "app/cli/reading.h"
 #include "core/estimation/carried_object.h"
 #include "core/estimation/judgement.h"
+#include "core/estimation/picked_up.h"
 
 namespace heft::cli {
 
-void estimateObject(const ObjectFiles& files, const ImportOptions& import, const EstimateOptions& settings) {
-  if (!import.metaFile.empty() || !import.join.empty())
+namespace {
+
+std::string moments(const std::vector<double>& times) {
+  std::string out;
+  for (const double t : times) out += fmt::format("{}{:.1f}", out.empty() ? "" : ", ", t);
+  return out;
+}
+
+}  // namespace
+
+void estimateObject(const ObjectFiles& files, const ImportOptions& import, const EstimateOptions& given) {
+  const bool one = files.without.empty();
+  EstimateOptions settings = given;
+  if (!one && (!import.metaFile.empty() || !import.join.empty()))
     throw WrongUsage("--meta and --join go with one recording; with --minus each has its own .meta.json beside it.");
+  if (one && settings.segments) throw WrongUsage("--picked-up looks for the parts by itself; leave --segments away.");
   if (settings.method != Method::map || settings.parameters != ParameterSet::full)
-    throw WrongUsage("--minus needs the method map and the parameters full.");
+    throw WrongUsage("--minus and --picked-up need the method map and the parameters full.");
   if (settings.shape || !settings.stated.empty())
-    throw WrongUsage("--shape, --mass and --cad describe one body; with --minus there are two: leave them away.");
+    throw WrongUsage(
+        "--shape, --mass and --cad describe one body; with --minus and --picked-up there are two: leave them away.");
   if (!settings.known.empty())
-    throw WrongUsage("--known describes one body; with --minus there are two: leave it away.");
+    throw WrongUsage("--known describes one body; with --minus and --picked-up there are two: leave it away.");
   const Overwrite overwrite{files.force, [](const std::string& old) { return hasSchema(old, "heft.estimate/1"); }};
   if (!files.json.empty()) requireWritable(files.json, overwrite);
   ProgressLine line;
-  const Input with = readInput(files.with, import, files.robot, line.progress());
-  const Input without = readInput(files.without, import, files.robot, line.progress());
+  Input with = readInput(files.with, import, files.robot, line.progress());
+  Input without;
+  if (one) {
+    without = with;
+    PickedUp parts = orFail(partsWithAndWithout(with.recording, with.model(), settings, line.progress()));
+    if (!parts.pickedUpAt.empty())
+      with.findings.push_back(
+          {Severity::info, "picked_up", fmt::format("Picked up at {} s.", moments(parts.pickedUpAt)), {}, {}});
+    if (!parts.putDownAt.empty())
+      with.findings.push_back(
+          {Severity::info, "put_down", fmt::format("Put down at {} s.", moments(parts.putDownAt)), {}, {}});
+    with.recording = std::move(parts.with);
+    without.recording = std::move(parts.without);
+    settings.segments = SegmentMode::automatic;
+  } else {
+    without = readInput(files.without, import, files.robot, line.progress());
+  }
   CarriedObject carried =
       orFail(estimateCarriedObject({&with.recording, with.model()}, {&without.recording, without.model()}, settings,
                                    {with.findings, without.findings}, line.progress()));

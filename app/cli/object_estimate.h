@@ -1,5 +1,5 @@
 #pragma once
-// heft estimate WITH --minus WITHOUT: what the tool carries.
+// heft estimate WITH --minus WITHOUT, and heft estimate RECORDING --picked-up: what the tool carries.
 #include <string>
 
 #include "core/estimation/options.h"
@@ -8,9 +8,10 @@
 namespace heft::cli {
 
 struct ObjectFiles {
-  std::string with, without;  ///< Recordings of the same tool, with the object and without it.
-  std::string robot;          ///< "panda" or a URDF; may be empty.
-  std::string json;           ///< Result file, "-" or empty.
+  std::string with;     ///< Recording of the tool with the object
+  std::string without;  ///< And without it; empty: it is picked up in the first.
+  std::string robot;    ///< "panda" or a URDF; may be empty.
+  std::string json;     ///< Result file, "-" or empty.
   bool force = false;
 };
 

@@ -313,13 +313,14 @@ SegmentBlocks automaticBlocks(const WrenchRows& rows, const std::optional<Payloa
   Vector6d allowed = allowancesOf(rows);
   SegmentBlocks blocks = clean;
   Findings changes;
+  const auto usable = std::count(clean.labels.begin(), clean.labels.end(), MarkLabel::free);
   for (int attempt = 0; attempt < 6; ++attempt, allowed *= 2.0) {
     blocks = clean;
     changes.clear();
     labelAllowing(rows, allowed, guess, blocks, changes);
     const auto free = std::count(blocks.labels.begin(), blocks.labels.end(), MarkLabel::free);
     const auto other = std::count(blocks.kinds.begin(), blocks.kinds.end(), SegmentKind::otherPayload);
-    if (static_cast<double>(free + other) >= 0.25 * static_cast<double>(blocks.labels.size())) break;
+    if (static_cast<double>(free + other) >= 0.25 * static_cast<double>(usable)) break;
   }
   findings.insert(findings.end(), changes.begin(), changes.end());
   markStanding(rows, blocks);

@@ -42,8 +42,8 @@ struct SegmentBlocks {
 void markTrouble(const std::vector<Trouble>& troubles, const WrenchRows& rows, SegmentBlocks& blocks,
                  Findings& findings);
 
-/// What a rigid payload explains, what pushes, where the payload changes and where the tool rests, without looking at
-/// the user's marks. `clean`: nothing but where the sensor fails (markTrouble()).
+/// What a rigid payload explains, what pushes, where the payload changes and where the tool rests. `clean`: nothing but
+/// where the sensor fails (markTrouble()) and what the user left out.
 SegmentBlocks automaticBlocks(const WrenchRows& rows, const std::optional<PayloadGuess>& guess,
                               const SegmentBlocks& clean, Findings& findings);
 

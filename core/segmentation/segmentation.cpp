@@ -44,6 +44,13 @@ void applyMarks(const Recording& recording, const WrenchRows& rows, SegmentMode 
   }
 }
 
+/// What the user left out is not looked at: neither its load nor its contact says anything of the rest.
+void leaveOutMarked(const Recording& recording, const WrenchRows& rows, SegmentBlocks& blocks) {
+  for (Eigen::Index k = 0; k < rows.size(); ++k)
+    if (const auto label = markedAt(recording, rows.time(k)); label && *label != MarkLabel::free)
+      blocks.set(k, MarkLabel::ignore, SegmentKind::ignored);
+}
+
 /// Why the blocks of a segment have their label, where no note says it.
 std::string reasonFor(SegmentKind kind, SegmentMode mode) {
   if (mode == SegmentMode::all) return heft::say("Everything was asked for.");
@@ -123,9 +130,11 @@ Segmentation segmentRows(const Recording& recording, const WrenchRows& rows, Seg
                          const std::optional<PayloadGuess>& guess, const std::vector<Trouble>* trouble) {
   Segmentation out;
   SegmentBlocks blocks(rows.size());
-  if (mode != SegmentMode::all)
-    markTrouble(trouble ? *trouble : sensorTrouble(recording), rows, blocks, out.findings);
-  if (mode == SegmentMode::automatic) blocks = automaticBlocks(rows, guess, std::move(blocks), out.findings);
+  if (mode != SegmentMode::all) markTrouble(trouble ? *trouble : sensorTrouble(recording), rows, blocks, out.findings);
+  if (mode == SegmentMode::automatic) {
+    leaveOutMarked(recording, rows, blocks);
+    blocks = automaticBlocks(rows, guess, std::move(blocks), out.findings);
+  }
   const int byUser = static_cast<int>(blocks.reasons.size()) + 1;
   if (mode != SegmentMode::all) applyMarks(recording, rows, mode, blocks);
   out.segments = segmentsFrom(rows, blocks, mode, byUser);

@@ -8721,6 +8721,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Press the tool against the wall or table and hold it for a second.</source>
         <translation>Drücken Sie das Werkzeug gegen die Wand oder den Tisch und halten Sie es eine Sekunde lang.</translation>
     </message>
+    <message>
+        <source>{}: nothing was seen to be picked up or put down in it. Give two recordings instead, one with the object and one without.</source>
+        <translation>{}: Darin wurde nichts aufgenommen oder abgelegt. Geben Sie stattdessen zwei Aufnahmen an, eine mit dem Gegenstand und eine ohne.</translation>
+    </message>
+    <message>
+        <source>{}: the payload changes in the same direction at {:.1f} and {:.1f} s, so there are three of them. Give two recordings, one with the object and one without.</source>
+        <translation>{}: Die Last ändert sich bei {:.1f} und {:.1f} s in dieselbe Richtung, es sind also drei. Geben Sie zwei Aufnahmen an, eine mit dem Gegenstand und eine ohne.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -35,6 +35,16 @@ TEST_F(ObjectTest, IsWrittenBesideThePayload) {
   EXPECT_EQ(object["trust"], result["trust"]);
 }
 
+TEST_F(ObjectTest, IsFoundInOneRecordingInWhichItIsPickedUp) {
+  simulate("grasp", {"--motion", "free", "--seed", "8", "--rate", "250", "--effect", "payload_change=250"});
+  const Outcome run = heft({"estimate", "grasp.csv", "--picked-up", "--json", "grasp.json"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_NEAR(readJson("grasp.json")["object"]["mass_kg"].get<double>(), 0.25, 0.01);
+  EXPECT_TRUE(failedWithOneSentence(heft({"estimate", "with.csv", "--picked-up"}), "picked up or put down"));
+  EXPECT_EQ(heft({"estimate", "grasp.csv", "--picked-up", "--minus", "without.csv"}).exitCode, 2);
+  EXPECT_EQ(heft({"estimate", "grasp.csv", "--picked-up", "--segments", "all"}).exitCode, 2);
+}
+
 TEST_F(ObjectTest, SaysWhatGoesTogether) {
   EXPECT_EQ(heft({"estimate", "with.csv", "--minus", "without.csv", "--method", "ls"}).exitCode, 2);
   EXPECT_EQ(heft({"estimate", "with.csv", "--minus", "without.csv", "--mass", "0.8"}).exitCode, 2);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "core/estimation/picked_up.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/random_tool.h"
 
@@ -33,6 +34,35 @@ CarriedObject carriedBetween(const Recording& with, const Recording& without) {
   auto carried = estimateCarriedObject({&with, &RobotModel::panda()}, {&without, &RobotModel::panda()}, {});
   if (!carried) throw std::runtime_error(carried.error().message);
   return *carried;
+}
+
+/// Picked up, carried and put down again: both sides come from the parts between, and the moments belong to neither.
+TEST(PickedUp, PartsWithAndWithoutAreFoundInOneRecording) {
+  const RobotModel& panda = RobotModel::panda();
+  SimulateOptions options;
+  options.motion = MotionKind::free;
+  options.seed = 77;
+  options.duration = 24.0;
+  options.rateHz = 250.0;
+  Recording both = simulate(panda, kGripper, options)->recording;
+  const Recording heavy = simulate(panda, composed(kGripper, kBox), options)->recording;
+  ASSERT_EQ((both.q - heavy.q).norm(), 0.0) << "the same motion and noise";
+  for (Eigen::Index i = 0; i < both.rows(); ++i)
+    if (both.time(i) > 7.0 && both.time(i) < 16.0) both.wrench.row(i) = heavy.wrench.row(i);
+  const auto parts = partsWithAndWithout(both, &panda, {});
+  ASSERT_TRUE(parts) << parts.error().message;
+  ASSERT_EQ(parts->pickedUpAt.size(), 1u);
+  ASSERT_EQ(parts->putDownAt.size(), 1u);
+  EXPECT_NEAR(parts->pickedUpAt[0], 7.0, 0.3);
+  EXPECT_NEAR(parts->putDownAt[0], 16.0, 0.3);
+  EstimateOptions automatic;
+  automatic.segments = SegmentMode::automatic;
+  const auto carried = estimateCarriedObject({&parts->with, &panda}, {&parts->without, &panda}, automatic);
+  ASSERT_TRUE(carried);
+  EXPECT_EQ(carried->verdict, ObjectVerdict::found);
+  EXPECT_NEAR(carried->object.payload.mass, kBox.mass, 4.0 * carried->object.std.mass);
+  EXPECT_LT((carried->object.payload.com - kBox.com).norm(), 0.004);
+  EXPECT_FALSE(partsWithAndWithout(heavy, &panda, {})) << "nothing changes in it";
 }
 
 /// How often the intervals hold the object's numbers, and how large its errors are beside their standard deviations.
