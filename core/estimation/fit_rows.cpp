@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/estimation/noise_certainty.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft {
@@ -133,6 +134,12 @@ bool mostlyMotion(const FitRows& band) {
   return generalizedEigen(band.motionNoise, H).values.maxCoeff() < kMostNoise;
 }
 
+/// With standard deviations that hold although the noise was learned from the same rows.
+FitRows asCertain(FitRows band, const KnownOfNoise& known) {
+  band.whitened /= shortfallOfLearning(band.rows, band.noise, band.runs, known);
+  return band;
+}
+
 }  // namespace
 
 FitRows fitRowsOf(const FitRowsQuestion& of) {
@@ -142,11 +149,12 @@ FitRows fitRowsOf(const FitRowsQuestion& of) {
   };
   int predicts = std::max(of.predicts, of.atLeast);
   while (!enough(predicts)) predicts = std::max(1, predicts / 2);
-  if (!of.noisier || of.noisier->size() != of.blocks.size()) return rowsAt(predicts, of, std::nullopt);
+  if (!of.noisier || of.noisier->size() != of.blocks.size())
+    return asCertain(rowsAt(predicts, of, std::nullopt), of.known);
   WrenchRows difference = of.blocks;
   for (std::size_t k = 0; k < difference.Y.size(); ++k) difference.Y[k] = of.noisier->Y[k] - of.blocks.Y[k];
   difference.wrench.setZero();
-  if (of.fixed) return rowsAt(predicts, of, difference);
+  if (of.fixed) return asCertain(rowsAt(predicts, of, difference), of.known);
   std::vector<FitRows> bands;
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -169,7 +177,7 @@ FitRows fitRowsOf(const FitRowsQuestion& of) {
     const Fit other = fitOf(bands[i].whitened);
     if ((chosen.phi - other.phi).cwiseQuotient(other.std).cwiseAbs().maxCoeff() > kAgree) best = i;
   }
-  return std::move(bands[best]);
+  return asCertain(std::move(bands[best]), of.known);
 }
 
 }  // namespace heft

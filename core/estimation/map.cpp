@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "core/math/linear_algebra.h"
@@ -220,6 +221,7 @@ MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const 
   solution.v = start;
   double best = cost(start);
   double damping = 1e-6;
+  double slope = std::numeric_limits<double>::infinity();  // Gradient in units of the posterior's standard deviations
   Matrix10d J, data;
   for (solution.iterations = 0; solution.iterations < 1000; ++solution.iterations) {
     J = parametersJacobian(prior, solution.v);
@@ -228,8 +230,7 @@ MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const 
     const Matrix10d H = data + prior.curvature(solution.v);
     const Vector10d gradient =
         AJ.transpose() * (A * parametersFromV(prior, solution.v) - y) + prior.halfGradient(solution.v);
-    // Gradient in units of the posterior's own standard deviations.
-    const double slope = std::sqrt(std::max(0.0, gradient.dot(solveSymmetric(H, gradient))));
+    slope = std::sqrt(std::max(0.0, gradient.dot(solveSymmetric(H, gradient))));
     if (slope < 1e-7) {
       solution.converged = true;
       break;
@@ -252,11 +253,10 @@ MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const 
         damping *= 10.0;
       }
     }
-    if (!improved) {
-      solution.converged = slope < 1e-2;  // rounding, not a slope, stops it
-      break;
-    }
+    if (!improved) break;
   }
+  // Where rounding or a long bent valley stops it, a hundredth of a standard deviation is near enough.
+  solution.converged = solution.converged || slope < 1e-2;
   MapSolution found = solutionAt(R, prior, bias, solution.v);
   found.iterations = solution.iterations;
   found.converged = solution.converged;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/noise_certainty.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft {
@@ -32,11 +33,8 @@ VectorXd whisper() {
 
 /// What the fit of `whitened` takes from the noise of the rows.
 Taken takenBy(const Triangle& whitened, const WrenchRows& rows) {
-  const MatrixXd R = whitened.leftCols<kColumns>();
-  MatrixXd information = transposedProduct(R, R);
-  information.diagonal() += whisper().cwiseAbs2().cwiseInverse();
   // information = L L^T, its inverse L^-T L^-1: rows x L^-T.
-  const MatrixXd L = choleskyFactor(information);
+  const MatrixXd L = choleskyFactor(informationOf(whitened));
   const MatrixXd back = L.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(kColumns, kColumns)).transpose();
   Taken out;
   for (int c = 0; c < 6; ++c) {
@@ -75,6 +73,13 @@ NoiseModel firstGuess() {
 
 }  // namespace
 
+MatrixXd informationOf(const Triangle& whitened) {
+  const MatrixXd R = whitened.leftCols<kColumns>();
+  MatrixXd information = transposedProduct(R, R);
+  information.diagonal() += whisper().cwiseAbs2().cwiseInverse();
+  return information;
+}
+
 NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std::vector<Run>& runs, int parameters,
                     const Taken* taken, const Vector6d& least) {
   NoiseModel noise;
@@ -99,9 +104,6 @@ NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std
   // Akaike's final prediction error, with the number of independent samples.
   independent = std::max(independent, 3.0 * estimated);
   const double freedom = used > 0.0 ? (independent + estimated) / (independent - estimated) : 1.0;
-  // How strong the slow noise is, is known from a channel's own independent samples only: intervals by the normal
-  // distribution would be short by the ratio of Student's quantile to the normal one, 1 + (z^2 + 1) / (4 nu) + ...
-  const double student = 1.0 + (1.96 * 1.96 + 1.0) / (4.0 * (independent / 6.0));
   Matrix6d covariance = Matrix6d::Zero();
   double count = 0.0;
   for (const auto& run : runs) {
@@ -126,7 +128,7 @@ NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std
       count += 1.0;
     }
   }
-  covariance *= freedom * student * student / std::max(1.0, count);
+  covariance *= freedom / std::max(1.0, count);
   // Correlations need many samples; with few the channels are taken as independent.
   const Vector6d variance = covariance.diagonal().cwiseMax(least.cwiseAbs2()).cwiseMax(Vector6d::Constant(1e-16));
   covariance *= count / (count + 60.0);
@@ -175,6 +177,7 @@ LearnedNoise withTaken(LearnedNoise learned, const WrenchRows& rows, const std::
   constexpr int kRounds = 2;
   Wrenches keep = learned.weights.unaryExpr([&](double w) { return !known.keepAll && w < 3.0 / 5.0 ? 0.0 : 1.0; });
   for (int round = 0; round < kRounds; ++round) learnRound(learned, keep, rows, runs, known, true);
+  learned.noise = scaledToSlowNoise(std::move(learned.noise), rows, learned.weights, runs, known);
   return learned;
 }
 

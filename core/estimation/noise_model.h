@@ -47,12 +47,17 @@ struct KnownOfNoise {
   Vector6d least = Vector6d::Zero();  ///< As in fitNoise()
   bool keepAll = false;               ///< However far off, no row is left out of the noise model.
 };
+/// Information about [bias, phi] in whitened rows (16 x 16) with a whisper of a prior's: enough to invert it, far too
+/// little to count where the motion tells anything.
+MatrixXd informationOf(const Triangle& whitened);
+
 /// Fits payload, noise and weights in turn.
 LearnedNoise learnedNoise(const WrenchRows& rows, const std::vector<Run>& runs, const KnownOfNoise& known);
 
 /// Further rounds in which each channel gets back what the fit has taken from its noise, where in the spectrum it was
 /// taken (the expectation step of Dempster, Laird and Rubin 1977; its fixed point is Patterson and Thompson's
 /// restricted likelihood, 1971): a short recording's fit eats most of the slow noise, and what is left looks too quiet.
+/// At the end the noise is scaled to the slow one (scaledToSlowNoise()).
 LearnedNoise withTaken(LearnedNoise learned, const WrenchRows& rows, const std::vector<Run>& runs,
                        const KnownOfNoise& known);
 

@@ -70,7 +70,8 @@ bool Clocks::isStamped(const Stream& stream) {
 }
 
 std::optional<Error> Clocks::checkOffsets() const {
-  for (const auto& [name, seconds] : joining_.wishes.offset) {
+  for (const auto& offset : joining_.wishes.offset) {
+    const std::string& name = offset.first;
     const bool known = std::any_of(joining_.streams.begin(), joining_.streams.end(), [&](const Stream& stream) {
       return name == stream.name || name == stream.file ||
              name == std::filesystem::path(stream.file).filename().string();

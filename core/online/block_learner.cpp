@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/noise_certainty.h"
 #include "core/estimation/prior.h"
 #include "core/estimation/standstill.h"
 #include "core/math/linear_algebra.h"
@@ -111,7 +112,8 @@ void BlockLearner::learn(const Prepared& prepared) {
   noise_ = prepared.noise;
   weighting_ = bounded(noise_);
   used_ = prepared.usedBlocks;
-  base_ = honestTriangle(prepared.blocks, noise_, weighting_, prepared.weights, prepared.runs);
+  shortfall_ = shortfallOfLearning(prepared.blocks, noise_, prepared.runs, {prepared.silent, prepared.rounding});
+  base_ = honestTriangle(prepared.blocks, noise_, weighting_, prepared.weights, prepared.runs) / shortfall_;
   total_ = merged({frozen_, base_});
   findings_.clear();
   // A shape that could not be used would have failed when its prior was made.
@@ -213,7 +215,7 @@ void BlockLearner::follow(const LaneBlocks& blocks) {
         innovations(noise_, residual, runs).unaryExpr([](double e) {
           return std::abs(e) > 3.0 ? 3.0 / std::abs(e) : 1.0;
         });
-    fresh_->add(whitenedTriangles(rows, weighting_, weights, runs, 1).front());
+    fresh_->add(whitenedTriangles(rows, weighting_, weights, runs, 1).front() / shortfall_);
     followed_ = ready;
   }
   total_ = merged({frozen_, base_, fresh_->finish()});

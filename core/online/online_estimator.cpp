@@ -28,7 +28,7 @@ constexpr Eigen::Index kFewest = 25;    // new blocks before learning again
 constexpr double kGrowth = 0.2;         // or this share of those learned from
 constexpr double kChoiceGrowth = 1.5;   // how much more data before the smoothing is chosen again
 constexpr Eigen::Index kFirstChoice = 100;
-constexpr Eigen::Index kAtOnce = 150;       // blocks that are learned from within a step,
+constexpr Eigen::Index kAtOnce = 60;        // blocks that are learned from within a step,
 constexpr Eigen::Index kLearningTime = 10;  // and how many blocks later the result is taken over where there are more;
 constexpr Eigen::Index kChoosingTime = 25;  // the same for the choice of the smoothing
 /// No number is told while the fit misses the force by more than this share of what it does (standard deviations), and
