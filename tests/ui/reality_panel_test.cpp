@@ -252,9 +252,19 @@ TEST_F(RealityPanelTest, APracticeRecordingHidesItsFaultUntilAGuess) {
   EXPECT_EQ(practiceSeed(workspace.opened()->path), seed);
   EXPECT_TRUE(texts().contains("What is wrong with this recording?"));
   EXPECT_FALSE(texts().join("|").contains("arrive"));
+  // A hint does not name it, and one wrong guess is free.
+  QTest::mouseClick(panel->findChild<QPushButton*>("hintWanted"), Qt::LeftButton);
+  settle();
+  EXPECT_TRUE(texts().contains(looksOf("time_offset")));
+  EXPECT_FALSE(panel->findChild<QPushButton*>("giveUp"));
   QTest::mouseClick(panel->findChild<QPushButton*>("guess_cable_pull"), Qt::LeftButton);
   settle();
+  EXPECT_FALSE(texts().join("|").contains("Hidden was"));
+  EXPECT_FALSE(panel->findChild<QPushButton*>("guess_cable_pull")->isEnabled());
+  QTest::mouseClick(panel->findChild<QPushButton*>("giveUp"), Qt::LeftButton);
+  settle();
   EXPECT_TRUE(texts().contains("Not this one"));
+  EXPECT_TRUE(texts().contains("Found at once: 0 of 1. With a hint or at the second try: 0."));
   EXPECT_TRUE(texts().join("|").contains("Hidden was: Force readings late (delay)"));
   // Opened once more it is a riddle again.
   ASSERT_TRUE(panel->obey({"practice", QString::number(seed)})->ok());
@@ -264,6 +274,7 @@ TEST_F(RealityPanelTest, APracticeRecordingHidesItsFaultUntilAGuess) {
   QTest::mouseClick(panel->findChild<QPushButton*>("guess_time_offset"), Qt::LeftButton);
   settle();
   EXPECT_TRUE(texts().contains("Right"));
+  EXPECT_TRUE(texts().contains("Found at once: 1 of 2. With a hint or at the second try: 0."));
 }
 
 TEST_F(RealityPanelTest, TheReportHoldsEverythingAsPageAndAsPdf) {

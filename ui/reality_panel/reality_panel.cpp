@@ -300,8 +300,17 @@ void RealityPanel::practise(std::uint64_t seed) {
 void RealityPanel::guess(const std::string& cause) {
   const auto opened = workspace().opened();
   if (!opened || !practiceSeed(opened->path)) return;
-  found_[opened->path].guess = cause;
-  found_[opened->path].secret = false;
+  Found& entry = found_[opened->path];
+  const bool right = cause == practiceEffect(*practiceSeed(opened->path)).id;
+  if (!right && entry.tried.empty()) {
+    entry.tried = cause;
+    return refresh();
+  }
+  RealityFindings::Score& score = findings_->score;
+  ++score.asked;
+  if (right) ++(entry.tried.empty() && !entry.hinted ? score.first : score.second);
+  entry.guess = cause;
+  entry.secret = false;
   findings_->tellChanged();
   if (!found() && !jobs_.running()) diagnose();
   refresh();
@@ -454,7 +463,15 @@ void RealityPanel::refresh() {
   } else if (riddle()) {
     QVBoxLayout* column = page()->restart(tr("What is wrong with this recording?"),
                                           tr("One fault of the rig is hidden in it. Look, then guess."));
-    addGuesses(column, page()->content(), [this](const std::string& id) { guess(id); });
+    RiddleActions does;
+    does.guessed = [this](const std::string& id) { guess(id); };
+    does.hintWanted = [this, path = opened->path] {
+      found_[path].hinted = true;
+      refresh();
+    };
+    does.gaveUp = [this, path = opened->path] { guess(found_[path].tried); };
+    addGuesses(column, page()->content(), practiceEffect(*practiceSeed(opened->path)).id, found_.value(opened->path),
+               does);
     column->addStretch(1);
     page()->setMainButton({});
   } else if (jobs_.running()) {
@@ -569,7 +586,7 @@ void RealityPanel::showReport(const Found& found) {
   QVBoxLayout* column = page()->restart(verdict.question, verdict.answer);
   QWidget* content = page()->content();
   if (const auto seed = practiceSeed(workspace().opened()->path); seed && !found.guess.empty())
-    addFeedback(column, content, practiceEffect(*seed).id, found.guess,
+    addFeedback(column, content, practiceEffect(*seed).id, found, findings_->score,
                 [this] { practise(QRandomGenerator::global()->bounded(1u, 1000000u)); });
   if (outdated()) {
     const Card card = makeCard("cardLook", content);

@@ -32,6 +32,7 @@
 #include "ui/record_panel/flange_guide.h"
 #include "ui/record_panel/live_board.h"
 #include "ui/record_panel/live_stage.h"
+#include "ui/record_panel/recording_list.h"
 #include "ui/record_panel/samples.h"
 #include "ui/record_panel/source_form.h"
 #include "ui/robot_view/robot_view.h"
@@ -68,6 +69,7 @@ RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts), run_(only
     guide_ = new FlangeGuide(run_, parts.view, this);
   }
   connect(&workspace(), &Workspace::openedChanged, this, &RecordPanel::refresh);
+  connect(&workspace(), &Workspace::recordingsChanged, this, &RecordPanel::refresh);
   connect(&workspace(), &Workspace::reportChanged, this, &RecordPanel::refresh);
   connect(&workspace(), &Workspace::busyChanged, this, &StepPanel::stateChanged);
   connect(run_, &LiveRun::refreshed, this, &RecordPanel::liveRefreshed);
@@ -250,24 +252,34 @@ void RecordPanel::addSamples(QVBoxLayout* column) {
   QWidget* content = page()->content();
   column->addSpacing(6);
   column->addWidget(styledLabel(tr("No recording at hand?"), "sectionTitle", content));
+  if (parts().startTour) {
+    auto* tour = new QPushButton(tr("Two-minute tour with a sample"), content);
+    tour->setObjectName("tourButton");
+    tour->setProperty("role", "plain");
+    tour->setIcon(themedIcon("bulb"));
+    connect(tour, &QPushButton::clicked, this, [this] { parts().startTour(); });
+    column->addWidget(tour);
+  }
   for (const Sample& sample : samples()) {
     auto* button = new QPushButton(sample.title, content);
     button->setObjectName("sampleButton");
     button->setProperty("role", "plain");
     button->setToolTip(tr("Makes this recording with the simulation and opens it"));
-    connect(button, &QPushButton::clicked, this, [this, sample] {
-      sampling_.start(
-          tr("Making a sample recording"), [sample](const Progress& progress) { return sampleFile(sample, progress); },
-          [this](Result<QString> made) {
-            if (!made) return parts().say(Severity::error, QString::fromStdString(made.error().message));
-            workspace().open(*made);
-          });
-    });
+    connect(button, &QPushButton::clicked, this, [this, sample] { openSample(sample); });
     column->addWidget(button);
   }
   column->addWidget(wrappedLabel(tr("Or guide the virtual arm yourself (third tab above), or look for a hidden fault: "
                                     "menu Practice."),
                                  "caption", content));
+}
+
+void RecordPanel::openSample(const Sample& sample) {
+  sampling_.start(
+      tr("Making a sample recording"), [sample](const Progress& progress) { return sampleFile(sample, progress); },
+      [this](Result<QString> made) {
+        if (!made) return parts().say(Severity::error, QString::fromStdString(made.error().message));
+        workspace().open(*made);
+      });
 }
 
 void RecordPanel::addVirtual(QVBoxLayout* column) {
@@ -302,28 +314,11 @@ void RecordPanel::addVirtual(QVBoxLayout* column) {
 }
 
 void RecordPanel::addOpened(QVBoxLayout* column) {
-  const Session& session = workspace().session();
-  if (session.recordings.empty()) return;
+  if (workspace().session().recordings.empty()) return;
   column->addSpacing(6);
-  column->addWidget(styledLabel(tr("In this session"), "sectionTitle", page()->content()));
-  for (int k = 0; k < static_cast<int>(session.recordings.size()); ++k) {
-    const QString path = QString::fromStdString(session.recordings[static_cast<std::size_t>(k)].file.string());
-    const auto opened = workspace().openedAt(k);
-    const auto report = workspace().reportAt(k);
-    QString text = QFileInfo(path).fileName();
-    if (!opened) {
-      text = tr("%1, not read").arg(text);
-    } else if (report) {
-      text = tr("%1, %2 kg").arg(text, numberText(report->payload.mass, 3));
-    }
-    auto* button = new QPushButton(text, page()->content());
-    button->setObjectName(QStringLiteral("recording%1").arg(k));
-    button->setProperty("role", k == session.active ? "chosen" : "plain");
-    button->setToolTip(k == session.active ? tr("Shown now: %1").arg(path) : tr("Show %1").arg(path));
-    button->setEnabled(opened != nullptr);
-    connect(button, &QPushButton::clicked, this, [this, k] { workspace().activate(k); });
-    column->addWidget(button);
-  }
+  auto* list = new RecordingList(&workspace(), page()->content());
+  connect(list, &RecordingList::closed, this, [this] { parts().goTo(Step::record); });
+  column->addWidget(list);
 }
 
 void RecordPanel::addRecent(QVBoxLayout* column) {
@@ -369,9 +364,9 @@ void RecordPanel::startVirtual(std::uint64_t seed, bool poses, bool byClock) {
 void RecordPanel::startListening() {
   if (!form_) return;
   auto addresses = form_->addresses();
-  if (!addresses) return fail(QString::fromStdString(addresses.error().message));
+  if (!addresses) return form_->complain(QString::fromStdString(addresses.error().message));
   auto meta = form_->meta();
-  if (!meta) return fail(QString::fromStdString(meta.error().message));
+  if (!meta) return form_->complain(QString::fromStdString(meta.error().message));
   const bool assumed = form_->mountAssumed();
   listenTo({0, std::move(*addresses), std::move(*meta), form_->rigFile().toStdString(), assumed}, false);
 }
@@ -600,8 +595,13 @@ void RecordPanel::addActions(const StudioMenus& menus) {
 }
 
 std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
-  if (words[0] != "live") return std::nullopt;
   const auto wrong = [](const QString& sentence) { return Result<bool>(Error{sentence.toStdString()}); };
+  if (words[0] == "sample" && words.size() == 2) {
+    for (const Sample& sample : samples())
+      if (sample.file == QStringLiteral("sample-%1.csv").arg(words[1])) return openSample(sample), Result<bool>(true);
+    return wrong(tr("sample expects clean, hose or delay."));
+  }
+  if (words[0] != "live") return std::nullopt;
   const QString what = words.value(1);
   bool numbers = true;
   const auto number = [&](int index, double otherwise) {
