@@ -5,6 +5,8 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
+#include <QVBoxLayout>
 
 #include "tests/ui/fixtures.h"
 #include "ui/results/result_panel.h"
@@ -12,6 +14,7 @@
 #include "ui/theme/theme.h"
 #include "ui/widgets/basics.h"
 #include "ui/widgets/message_bar.h"
+#include "ui/widgets/stepper.h"
 
 namespace heft {
 namespace {
@@ -106,6 +109,50 @@ TEST(ResultPanel, FitsItsWidthWithoutBeingCut) {
     EXPECT_GE(label->width() + 1, label->sizeHint().width()) << label->text().toStdString();
     EXPECT_LE(label->mapTo(&panel, QPoint(label->width(), 0)).x(), panel.width()) << label->text().toStdString();
   }
+}
+
+TEST(ResultPanel, TheTrimIsSaidAndCanBeChanged) {
+  const Recording recording = test::sineRecording(1000, 100);
+  ResultPanel panel;
+  panel.setDetailsShown(true);
+  panel.setTrim(0.1);
+  panel.showResult(describeResult(test::reportOn(recording), {}));
+  auto* trim = panel.findChild<Stepper*>("trim");
+  ASSERT_NE(trim, nullptr);
+  EXPECT_NEAR(trim->value(), 10.0, 1e-9);
+  std::vector<double> wanted;
+  QObject::connect(&panel, &ResultPanel::trimWanted, [&](double share) { wanted.push_back(share); });
+  trim->findChildren<QToolButton*>().first()->click();
+  ASSERT_EQ(wanted.size(), 1u);
+  EXPECT_NEAR(wanted[0], 0.09, 1e-9);
+  panel.showNoResult("Too short.");
+  EXPECT_NE(panel.findChild<Stepper*>("trim"), nullptr) << "what is too short has the remedy at hand";
+}
+
+TEST(MessageBar, InformationFloatsAndMovesNothing) {
+  QWidget window;
+  auto* column = new QVBoxLayout(&window);
+  auto* bar = new MessageBar(&window);
+  auto* rest = new QWidget(&window);
+  column->addWidget(bar);
+  column->addWidget(rest, 1);
+  window.resize(900, 500);
+  window.show();
+  QApplication::processEvents();
+  const QRect before = rest->geometry();
+  bar->showMessage(Severity::info, "Saved a.csv.");
+  QApplication::processEvents();
+  auto* toast = window.findChild<QFrame*>("toast");
+  ASSERT_TRUE(toast && toast->isVisible());
+  EXPECT_EQ(rest->geometry(), before);
+  EXPECT_TRUE(window.rect().contains(toast->geometry()));
+  EXPECT_EQ(bar->text(), "Saved a.csv.");
+  bar->showMessage(Severity::error, "b.csv is no recording.");
+  QApplication::processEvents();
+  EXPECT_NE(rest->geometry(), before) << "what stays has a place of its own";
+  bar->clear();
+  QApplication::processEvents();
+  EXPECT_EQ(rest->geometry(), before);
 }
 
 TEST(MessageBar, ShowsTheSentenceAndCloses) {

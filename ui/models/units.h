@@ -1,5 +1,6 @@
 #pragma once
 // In which units numbers are shown. Files, sessions and everything inside are SI whatever is chosen here.
+#include <QMetaType>
 #include <QString>
 
 namespace heft {
@@ -32,3 +33,5 @@ ShownUnit angleUnit();
 QString massText(double kilograms, int decimals);
 
 }  // namespace heft
+
+Q_DECLARE_METATYPE(heft::UnitChoice)

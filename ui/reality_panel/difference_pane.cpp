@@ -295,7 +295,7 @@ Chart DifferencePane::frequencyChart(bool torque) const {
   chart.yTitle = torque ? tr("Torque left over [N m/√Hz]") : tr("Force left over [N/√Hz]");
   chart.xTitle = tr("Frequency [Hz]");
   chart.logX = chart.logY = true;
-  chart.band = spectrum.floor;
+  addNoise(chart, *report_, spectrum, torque);
   chart.nothing = tr("No stretch is long enough to tell frequencies.");
   for (const bool after : {false, true}) {
     if (after && secret_) continue;
@@ -394,8 +394,10 @@ void DifferencePane::refresh() {
   if (!secret_) legend += line.arg(t.accent.name(), QStringLiteral("━━ ") + tr("with the cause corrected"));
   const QString words[] = {
       legend + tr("· grey: the sensor’s noise, ±2 σ"),
-      tr("Grey: the level of the sensor’s fast noise. Slow noise may lie a few times higher; what rises far above is "
-         "none."),
+      isNoiseOnly(report_.get())
+          ? tr("Grey: what the verdict takes for the sensor’s noise, slow noise included.")
+          : tr("Grey: the level of the sensor’s fast noise. Slow noise may lie a few times higher; what rises far "
+               "above is none."),
       tr("A sloped or curved cloud means that the difference depends on this quantity. Both pictures have one scale; "
          "click on a dot to go to its time.")};
   says_->setText(words[static_cast<int>(view_)]);

@@ -56,6 +56,8 @@ class RecordPanel : public StepPanel {
 
  private:
   void refresh();
+  /// A seed whose practice tool weighs between both [kg].
+  static std::uint64_t toolBetween(double lightest, double heaviest);
   void showLive();
   void showPause();
   void addWays(QVBoxLayout* column);

@@ -200,7 +200,7 @@ QString diagnosisPart(const Workspace& workspace, const DiagnosisReport& report)
                           : Words::tr("Force difference by frequency [N/√Hz]");
     chart.xTitle = Words::tr("Frequency [Hz]");
     chart.logX = chart.logY = true;
-    chart.band = spectrum.floor;
+    addNoise(chart, report, spectrum, torque);
     for (const bool after : {false, true}) {
       QVector<QPointF> points;
       for (Eigen::Index i = 0; i < spectrum.frequency.size(); ++i)

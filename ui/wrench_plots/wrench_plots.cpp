@@ -42,7 +42,7 @@ class LaneTicker : public QCPAxisTicker {
 
  protected:
   QString getTickLabel(double tick, const QLocale&, QChar, int) override {
-    constexpr double kHalfNumber = 5.0;  // [px]
+    constexpr double kHalfNumber = 4.0;  // [px]
     const double above = (tick - range_.lower) / range_.size() * lane_->height();
     if (above < kHalfNumber || above > lane_->height() - kHalfNumber) return {};
     if (std::abs(tick) < 1e-9 * std::max(1.0, mTickStep_)) return QStringLiteral("0");
@@ -55,6 +55,17 @@ class LaneTicker : public QCPAxisTicker {
   }
   double getTickStep(const QCPRange& range) override {
     range_ = range;
+    // About zero with little height: one number above and one below it, as far out as a number has room.
+    constexpr double kLow = 56.0;  // [px]
+    if (range.lower < 0.0 && range.upper > 0.0 && std::abs(range.lower + range.upper) < 1e-6 * range.size() &&
+        lane_->height() < kLow) {
+      const double most = 0.8 * range.upper * scale_, decade = std::pow(10.0, std::floor(std::log10(most)));
+      constexpr double kApart = 11.0;  // [px] of numbers one above the other
+      for (const double round : {8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.5, 1.2, 1.0}) {
+        const double step = round * decade / scale_;
+        if (round * decade <= most && step / range.size() * lane_->height() >= kApart) return mTickStep_ = step;
+      }
+    }
     mTickStep_ = QCPAxisTicker::getTickStep(range);
     // In a low lane numbers must not touch each other; the next round step above, so that two of them remain.
     constexpr double kNumber = 12.0;  // [px]
@@ -274,8 +285,8 @@ class PlotCanvas : public QCustomPlot {
     if (lane < 0) return std::nullopt;
     const QRect room = axisRect(lane)->rect();
     if (std::abs(at.y() - pressed_.y()) < std::max(kLeast, room.height() / 3)) return std::nullopt;
-    const auto [top, bottom] = std::minmax(pressed_.y(), std::clamp(at.y(), room.top(), room.bottom()));
-    return Box{lane, top, bottom};
+    const int end = std::clamp(at.y(), room.top(), room.bottom());
+    return Box{lane, std::min(pressed_.y(), end), std::max(pressed_.y(), end)};
   }
   void showValues(int lane, double lower, double upper) {
     if (!(upper > lower)) return;
@@ -545,7 +556,7 @@ void WrenchPlots::rebuildBackgrounds() {
   accent.setAlpha(theme().dark ? 40 : 22);
   tintLanes(highlightFrom_, highlightTo_, QPen(theme().accent, 1.2, Qt::DashLine), accent);
   p.word = new QCPItemText(p.canvas);
-  p.word->setLayer("marks");
+  p.word->setLayer("overlay");  // Over the curves
   p.word->position->setAxisRect(p.rects[0]);
   p.word->position->setAxes(p.rects[0]->axis(QCPAxis::atBottom), p.rects[0]->axis(QCPAxis::atLeft));
   p.word->position->setTypeX(QCPItemPosition::ptPlotCoords);
