@@ -11595,14 +11595,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>As a table for a spreadsheet or a message</source>
         <translation>Als Tabelle für eine Tabellenkalkulation oder eine Nachricht</translation>
     </message>
-    <message>
-        <source>Left out at each end, where filters have not settled</source>
-        <translation>An jedem Ende weggelassen, wo Filter noch einschwingen</translation>
-    </message>
-    <message>
-        <source>Left out at each end</source>
-        <translation>An jedem Ende weggelassen</translation>
-    </message>
 </context>
 <context>
     <name>heft::ResultStep</name>
@@ -11653,10 +11645,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>no weight yet</source>
         <translation>noch kein Gewicht</translation>
-    </message>
-    <message>
-        <source>ends left out</source>
-        <translation>weggelassene Enden</translation>
     </message>
 </context>
 <context>

@@ -14,7 +14,6 @@
 #include "ui/theme/theme.h"
 #include "ui/widgets/basics.h"
 #include "ui/widgets/message_bar.h"
-#include "ui/widgets/stepper.h"
 
 namespace heft {
 namespace {
@@ -109,24 +108,6 @@ TEST(ResultPanel, FitsItsWidthWithoutBeingCut) {
     EXPECT_GE(label->width() + 1, label->sizeHint().width()) << label->text().toStdString();
     EXPECT_LE(label->mapTo(&panel, QPoint(label->width(), 0)).x(), panel.width()) << label->text().toStdString();
   }
-}
-
-TEST(ResultPanel, TheTrimIsSaidAndCanBeChanged) {
-  const Recording recording = test::sineRecording(1000, 100);
-  ResultPanel panel;
-  panel.setDetailsShown(true);
-  panel.setTrim(0.1);
-  panel.showResult(describeResult(test::reportOn(recording), {}));
-  auto* trim = panel.findChild<Stepper*>("trim");
-  ASSERT_NE(trim, nullptr);
-  EXPECT_NEAR(trim->value(), 10.0, 1e-9);
-  std::vector<double> wanted;
-  QObject::connect(&panel, &ResultPanel::trimWanted, [&](double share) { wanted.push_back(share); });
-  trim->findChildren<QToolButton*>().first()->click();
-  ASSERT_EQ(wanted.size(), 1u);
-  EXPECT_NEAR(wanted[0], 0.09, 1e-9);
-  panel.showNoResult("Too short.");
-  EXPECT_NE(panel.findChild<Stepper*>("trim"), nullptr) << "what is too short has the remedy at hand";
 }
 
 TEST(MessageBar, InformationFloatsAndMovesNothing) {

@@ -195,7 +195,11 @@ void RealityPanel::showReport(const Found& found) {
   bool someNext = outdated();
   addCards(column, found, someNext);
   if (report.verdict == Verdict::unexplained) column->addWidget(makeUnknownCard(report, actions(), content));
-  addChange(column, content, report, count);
+  // Of what cannot be applied there is nothing to say here.
+  const bool mayChange = count > 0 || std::ranges::any_of(report.causes, [&](const DiagnosedCause& cause) {
+                           return canApply(report, cause) && !leftOutAlready(cause, workspace().segments());
+                         });
+  if (mayChange) addChange(column, content, report, count);
   addMetaProposal(
       column, content, report, details_, [this] { saveMeta(); }, parts().editRig);
   auto* closer = new QPushButton(looking_ ? tr("Show force and torque") : tr("Show the difference"), content);

@@ -13,7 +13,6 @@
 #include "ui/results/mass_scale.h"
 #include "ui/results/share_rows.h"
 #include "ui/widgets/basics.h"
-#include "ui/widgets/stepper.h"
 
 namespace heft {
 namespace {
@@ -81,9 +80,7 @@ void ResultPanel::showWorking(const QString& fileName) {
 
 void ResultPanel::showNoResult(const QString& reason) {
   again_ = [this, reason] { showNoResult(reason); };
-  QVBoxLayout* column = restart(tr("No estimate yet"), reason);
-  addTrim(column);  // What is short may need it all.
-  column->addStretch(1);
+  restart(tr("No estimate yet"), reason)->addStretch(1);
   setSecondButton({});
   setMainButton(tr("Estimate"), [this] { emit estimateWanted(); });
 }
@@ -389,7 +386,6 @@ void ResultPanel::addDetails(QVBoxLayout* column, const std::vector<DetailText>&
   column->addSpacing(4);
   column->addWidget(styledLabel(tr("Details"), "sectionTitle", content()));
   addRows(column, details);
-  addTrim(column);
   auto* copy = new QPushButton(tr("Copy the details"), content());
   copy->setObjectName("copyDetails");
   copy->setToolTip(tr("As a table for a spreadsheet or a message"));
@@ -400,18 +396,6 @@ void ResultPanel::addDetails(QVBoxLayout* column, const std::vector<DetailText>&
     QGuiApplication::clipboard()->setText(lines.join('\n'));
   });
   column->addWidget(copy, 0, Qt::AlignLeft);
-}
-
-void ResultPanel::addTrim(QVBoxLayout* column) {
-  auto* ends = new QHBoxLayout;
-  ends->addWidget(wrappedLabel(tr("Left out at each end, where filters have not settled"), "caption", content()), 1);
-  auto* trim = new Stepper(tr("Left out at each end"), QStringLiteral("%"), {0.0, 45.0, 1.0, 0}, content());
-  trim->setObjectName("trim");
-  trim->setFixedWidth(130);
-  trim->setValue(100.0 * trim_);
-  connect(trim, &Stepper::changed, this, [this](double percent) { emit trimWanted(percent / 100.0); });
-  ends->addWidget(trim);
-  column->addLayout(ends);
 }
 
 void ResultPanel::setDetailsShown(bool shown) {

@@ -22,8 +22,6 @@ class ResultPanel : public PanelPage {
   void showNoResult(const QString& reason);
   void showResult(const ResultText& result);
 
-  /// Share of the recording that the estimate leaves out at each end; for the next showResult().
-  void setTrim(double share) { trim_ = share; }
   /// The engineer's rows: method, residuals, sensor zero.
   void setDetailsShown(bool shown);
   bool detailsShown() const { return details_; }
@@ -36,8 +34,6 @@ class ResultPanel : public PanelPage {
   void shapeWanted();
   void methodsWanted();
   void knownWanted();
-  /// Another share is to be left out at each end.
-  void trimWanted(double share);
 
  private:
   void addMass(QVBoxLayout* column, const ResultText& result);
@@ -49,11 +45,8 @@ class ResultPanel : public PanelPage {
   void addKnown(QVBoxLayout* column, const std::vector<DetailText>& known);
   void addRows(QVBoxLayout* column, const std::vector<DetailText>& rows);
   void addDetails(QVBoxLayout* column, const std::vector<DetailText>& details);
-  /// How much is left out at each end, to be changed.
-  void addTrim(QVBoxLayout* column);
 
   bool details_ = false;
-  double trim_ = 0.0;
   std::function<void()> again_;  ///< Shows the same once more, after "Details" was switched.
 };
 

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QFileInfo>
 #include <QMenu>
-#include <cmath>
 
 #include "core/estimation/comparison.h"
 #include "ui/controller/only_child.h"
@@ -28,12 +27,6 @@ ResultStep::ResultStep(const StudioParts& parts)
   connect(onlyChild<RealityFindings>(workspace()), &RealityFindings::changed, this, &ResultStep::refresh);
   connect(&workspace(), &Workspace::correctionsChanged, this, &ResultStep::refresh);
   connect(panel_, &ResultPanel::methodsWanted, this, &ResultStep::compare);
-  connect(panel_, &ResultPanel::trimWanted, this, [this](double share) {
-    EstimateSettings settings = workspace().session().settings;
-    if (std::abs(settings.trim - share) < 1e-6) return;
-    settings.trim = share;
-    workspace().setSettings(settings, tr("ends left out"));
-  });
   connect(panel_, &ResultPanel::knownWanted, this, &ResultStep::askKnown);
   connect(methods_, &MethodPane::closeWanted, this, &ResultStep::endComparison);
   connect(panel_, &ResultPanel::estimateWanted, &workspace(), &Workspace::estimate);
@@ -121,7 +114,6 @@ void ResultStep::setDetailsShown(bool shown) { panel_->setDetailsShown(shown); }
 void ResultStep::refresh() {
   const auto opened = workspace().opened();
   const auto report = workspace().report();
-  panel_->setTrim(workspace().session().settings.trim);
   if (opened && report) {
     panel_->showResult(describeResult(*report, known(), openQuestion(workspace())));
   } else if (!opened) {

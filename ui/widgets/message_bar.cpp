@@ -16,7 +16,8 @@ namespace heft {
 namespace {
 
 constexpr std::size_t kMost = 3;  ///< Messages at once
-constexpr int kReadable = 10000;  ///< [ms] Information stands so long.
+constexpr int kReadable = 10000;  ///< [ms] Information stands so long,
+constexpr int kOffered = 30000;   ///< and with a button so long.
 
 }  // namespace
 
@@ -27,7 +28,6 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   rows_->setContentsMargins(0, 0, 0, 0);
   rows_->setSpacing(0);
   fades_.setSingleShot(true);
-  fades_.setInterval(kReadable);
   connect(&fades_, &QTimer::timeout, this, [this] {
     const auto messages = messages_;
     for (const Message& message : messages)
@@ -46,13 +46,12 @@ void MessageBar::showMessage(Severity severity, const QString& text, const QStri
     // The same once more, perhaps now with a button; or information that has been said.
     if (message.text == text || !message.stays) close(message.row);
   while (messages_.size() >= kMost) close(messages_.front().row);
-  Message message{severity, text, nullptr, severity != Severity::info || !action.isEmpty(),
-                  severity == Severity::info && parentWidget()};
+  Message message{severity, text, nullptr, severity != Severity::info, severity == Severity::info && parentWidget()};
   message.row = addRow(message, action, clicked);
   if (!message.floats) rows_->addWidget(message.row);
   messages_.push_back(message);
   setAccessibleDescription(this->text());
-  if (!message.stays) fades_.start();
+  if (!message.stays) fades_.start(action.isEmpty() ? kReadable : kOffered);
   if (message.floats) return placeFloating();
   show();
 }
@@ -67,7 +66,7 @@ void MessageBar::placeFloating() {
   for (const Message& message : messages_) {
     if (!message.floats) continue;
     const int wide = std::min(kWidest, parentWidget()->width() * 11 / 20 - 2 * kEdge);
-    const int high = std::max(message.row->heightForWidth(wide), message.row->sizeHint().height());
+    const int needed = message.row->heightForWidth(wide), high = needed > 0 ? needed : message.row->sizeHint().height();
     message.row->setGeometry(kEdge, top, wide, high);
     message.row->show();
     message.row->raise();

@@ -42,7 +42,6 @@ class LaneTicker : public QCPAxisTicker {
 
  protected:
   QString getTickLabel(double tick, const QLocale&, QChar, int) override {
-    constexpr double kHalfNumber = 4.0;  // [px]
     const double above = (tick - range_.lower) / range_.size() * lane_->height();
     if (above < kHalfNumber || above > lane_->height() - kHalfNumber) return {};
     if (std::abs(tick) < 1e-9 * std::max(1.0, mTickStep_)) return QStringLiteral("0");
@@ -58,9 +57,10 @@ class LaneTicker : public QCPAxisTicker {
     // About zero with little height: one number above and one below it, as far out as a number has room.
     constexpr double kLow = 56.0;  // [px]
     if (range.lower < 0.0 && range.upper > 0.0 && std::abs(range.lower + range.upper) < 1e-6 * range.size() &&
-        lane_->height() < kLow) {
-      const double most = 0.8 * range.upper * scale_, decade = std::pow(10.0, std::floor(std::log10(most)));
-      constexpr double kApart = 11.0;  // [px] of numbers one above the other
+        lane_->height() < kLow && lane_->height() > 4.0 * kHalfNumber) {
+      const double most = (1.0 - 2.0 * (kHalfNumber + 0.5) / lane_->height()) * range.upper * scale_;
+      const double decade = std::pow(10.0, std::floor(std::log10(most)));
+      constexpr double kApart = 10.0;  // [px] of numbers one above the other
       for (const double round : {8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.5, 1.2, 1.0}) {
         const double step = round * decade / scale_;
         if (round * decade <= most && step / range.size() * lane_->height() >= kApart) return mTickStep_ = step;
@@ -80,6 +80,7 @@ class LaneTicker : public QCPAxisTicker {
   }
 
  private:
+  static constexpr double kHalfNumber = 4.0;  ///< [px] Half the height of a number: nearer to an edge it is left out
   const QCPAxisRect* lane_;
   double scale_;
   QCPRange range_;
@@ -394,7 +395,7 @@ WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
       item->position->setAxisRect(rect);
       item->position->setTypeX(QCPItemPosition::ptAbsolute);
       item->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
-      item->position->setCoords(12, isDifference(lane) ? 0.5 : 0.0);
+      item->position->setCoords(isDifference(lane) ? 8 : 12, isDifference(lane) ? 0.5 : 0.0);
       return item;
     };
     p.titles[lane] = addText(titles[lane]);
