@@ -166,9 +166,8 @@ std::string proposalWords(const std::vector<JointPiece>& pieces, const std::vect
 
 std::string gainWords(const InformationGain& gain) {
   if (largest(gain) < kWorthwhile) return heft::say("Adds next to nothing: without it the intervals are as narrow.");
-  return heft::say(
-      "Without it the intervals of mass, centre and inertia are {:.1f}, {:.1f} and {:.1f} times as wide.", gain.mass,
-      gain.com, gain.inertia);
+  return heft::say("Without it the intervals of mass, centre and inertia are {:.1f}, {:.1f} and {:.1f} times as wide.",
+                   gain.mass, gain.com, gain.inertia);
 }
 
 }  // namespace

@@ -334,8 +334,8 @@ Result<Session> parseSession(std::string_view text, const std::string& name, con
     out.home = textOf(view, "home");
   }
 
-  json kept = keptObject(
-      othersOf(object, {"schema", "recordings", "active", "joined", "shape", "settings", "known_payload", "export", "view"}));
+  json kept = keptObject(othersOf(
+      object, {"schema", "recordings", "active", "joined", "shape", "settings", "known_payload", "export", "view"}));
   const auto keepInside = [&](const char* key, std::initializer_list<std::string_view> mine) {
     if (!memberOf(object, key).is_object()) return;
     const json others = keptObject(othersOf(object[key], mine));

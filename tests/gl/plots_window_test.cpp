@@ -14,8 +14,8 @@
 #include <QTableWidget>
 #include <QTimer>
 #include <QToolButton>
-#include <QWheelEvent>
 #include <QUndoStack>
+#include <QWheelEvent>
 
 #include "tests/gl/window_fixture.h"
 #include "ui/timeline/marks_bar.h"

@@ -122,8 +122,8 @@ TEST(DescribeResult, SpeaksTheUnitsThatAreChosen) {
 TEST(DescribeResult, SaysTheDifferenceByChannel) {
   const Recording recording = test::sineRecording(1000, 100);
   const ResultText text = describeResult(test::reportOn(recording), {});
-  const auto row =
-      std::find_if(text.details.begin(), text.details.end(), [](const auto& d) { return d.name == "By channel, force"; });
+  const auto row = std::find_if(text.details.begin(), text.details.end(),
+                                [](const auto& d) { return d.name == "By channel, force"; });
   ASSERT_NE(row, text.details.end());
   // The made-up simulation misses x by 0.25 N and nothing else.
   EXPECT_TRUE(row->value.startsWith("0.250  0.000  0.000 N")) << row->value.toStdString();

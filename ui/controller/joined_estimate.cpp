@@ -70,8 +70,8 @@ Result<bool> join(const std::vector<Snapshot>& of, const std::vector<std::size_t
       Findings& findings = piece.report.findings;
       std::erase_if(findings, isOfAll);
       findings.insert(findings.end(), ofAll.begin(), ofAll.end());
-      if (trust > piece.report.trust) std::tie(piece.report.trust, piece.report.whyNoTrust, piece.report.whatToDo) =
-          std::tuple(trust, why, whatToDo);
+      if (trust > piece.report.trust)
+        std::tie(piece.report.trust, piece.report.whyNoTrust, piece.report.whatToDo) = std::tuple(trust, why, whatToDo);
       // Which one it is stands by its name: numbers of a list tell nobody anything here.
       for (const QString& file : doubted)
         if (file != fileOf(of[members[m]]))

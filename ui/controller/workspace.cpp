@@ -16,7 +16,7 @@
 namespace heft {
 namespace {
 
-constexpr int kEstimateDelay = 350;  ///< [ms] after the last edit
+constexpr int kEstimateDelay = 350;                                      ///< [ms] after the last edit
 enum EditKind { kMarks = 1, kShape, kSettings, kExport, kCorrections };  // Those of recording_list.cpp follow.
 
 bool isSession(const QString& path) {

@@ -251,7 +251,8 @@ void MainWindow::loadArm() {
         return pandaLook(findings, progress);
       },
       [this](Result<std::shared_ptr<const RobotLook>> look) {
-        // A recording that was opened meanwhile may have brought its own arm; the view keeps this one for those without.
+        // A recording that was opened meanwhile may have brought its own arm; the view keeps this one for those
+        // without.
         if (look)
           view_->showRobot(std::shared_ptr<const RobotModel>(std::shared_ptr<void>(), &RobotModel::panda()), *look);
       });

@@ -121,7 +121,8 @@ QWidget* Preferences::makeKeys(const QMenuBar* bar) {
 }
 
 Preferences::Choice Preferences::choice() const {
-  return {language_->currentData().toString(), theme_->currentIndex() == 1 ? ThemeKind::dark : ThemeKind::light,
+  return {language_->currentData().toString(),
+          theme_->currentIndex() == 1 ? ThemeKind::dark : ThemeKind::light,
           QDir::cleanPath(folder_->text().trimmed()),
           {mass_->currentIndex() == 1, length_->currentIndex() == 1, torque_->currentIndex() == 1,
            angle_->currentIndex() == 1}};

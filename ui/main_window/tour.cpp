@@ -30,7 +30,8 @@ QString textFor(Step step) {
           "work. The tool of this sample really weighs 0.800 kg.");
     case Step::realityCheck:
       return Tour::tr(
-          "Here Heft says what it is, and draws it on the arm. Press “Apply this correction”, look at the curves below the arm, then "
+          "Here Heft says what it is, and draws it on the arm. Press “Apply this correction”, look at the curves below "
+          "the arm, then "
           "at step 4: the number has come close to the truth.");
     case Step::exportFile:
       return Tour::tr(

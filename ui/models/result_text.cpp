@@ -1,7 +1,7 @@
 #include "ui/models/result_text.h"
 
-#include <QCoreApplication>
 #include <Eigen/Eigenvalues>
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -315,7 +315,8 @@ std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPa
   if (known.com) {
     const double away = (report.payload.com - *known.com).norm();
     const ShownUnit length = lengthUnit();
-    QString value = ResultWords::tr("%1 %2 away").arg(numberText(length.scale * away, 1 + length.decimals), length.name);
+    QString value =
+        ResultWords::tr("%1 %2 away").arg(numberText(length.scale * away, 1 + length.decimals), length.name);
     if (known.com->norm() > 0) value += ResultWords::tr(" (%1 %)").arg(numberText(100 * away / known.com->norm(), 1));
     rows.push_back({ResultWords::tr("Centre of mass"), value,
                     ResultWords::tr("|estimate − known|, and by the length of the known")});
@@ -394,10 +395,10 @@ ResultText describeResult(const EstimateReport& report, const KnownPayload& know
   double comAway = -1.0;
   if (stated.com) comAway = length.scale * (report.payload.com - *stated.com).norm();
   for (int i = 0; i < 3; ++i) {
-    out.com.push_back(number(
-        QString(QChar("xyz"[i])), report.payload.com(i), interval.com[i], length.scale, 1 + length.decimals,
-        length.name, id.com[i],
-        ResultWords::tr("Centre of mass from the sensor's origin along its axis %1").arg(QChar("xyz"[i]))));
+    out.com.push_back(
+        number(QString(QChar("xyz"[i])), report.payload.com(i), interval.com[i], length.scale, 1 + length.decimals,
+               length.name, id.com[i],
+               ResultWords::tr("Centre of mass from the sensor's origin along its axis %1").arg(QChar("xyz"[i]))));
     out.com.back().plusMinus += QChar(' ') + length.name;
   }
   if (comAway >= 0)

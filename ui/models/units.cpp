@@ -35,8 +35,7 @@ ShownUnit torqueUnit() {
 }
 
 ShownUnit angleUnit() {
-  return units().radians ? ShownUnit{QStringLiteral("rad"), 1.0, 2}
-                         : ShownUnit{QStringLiteral("°"), 180.0 / M_PI, 0};
+  return units().radians ? ShownUnit{QStringLiteral("rad"), 1.0, 2} : ShownUnit{QStringLiteral("°"), 180.0 / M_PI, 0};
 }
 
 QString massText(double kilograms, int decimals) {

@@ -52,10 +52,9 @@ void addHint(QVBoxLayout* column, QWidget* parent, const std::string& truth, con
   if (!found.tried.empty()) {
     const Card wrong = makeCard("cardLook", parent);
     wrong.frame->setProperty("role", "wrongGuess");
-    wrong.layout->addWidget(
-        wrappedLabel(PracticeWords::tr("Not “%1”. It would look like this: %2 One more try.")
-                         .arg(titleOf(found.tried), looksOf(found.tried)),
-                     "body", wrong.frame));
+    wrong.layout->addWidget(wrappedLabel(PracticeWords::tr("Not “%1”. It would look like this: %2 One more try.")
+                                             .arg(titleOf(found.tried), looksOf(found.tried)),
+                                         "body", wrong.frame));
     auto* giveUp = new QPushButton(PracticeWords::tr("Show the answer"), wrong.frame);
     giveUp->setObjectName("giveUp");
     QObject::connect(giveUp, &QPushButton::clicked, parent, [gaveUp = does.gaveUp] { gaveUp(); });

@@ -137,8 +137,8 @@ void RealityPanel::addCards(QVBoxLayout* column, const Found& found, bool& someN
   };
   const auto reading = std::ranges::find_if(report.causes, [&](const auto& c) { return isReading(report, c); });
   if (reading != report.causes.end())
-    column->addWidget(makeReadingCard(report, *reading, found.curves ? &*found.curves : nullptr, stateOf(*reading),
-                                      does, content));
+    column->addWidget(
+        makeReadingCard(report, *reading, found.curves ? &*found.curves : nullptr, stateOf(*reading), does, content));
   std::vector<QWidget*> handled;
   for (auto it = report.causes.begin(); it != report.causes.end(); ++it) {
     if (it == reading) continue;

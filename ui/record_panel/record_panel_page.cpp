@@ -1,5 +1,6 @@
 // What the page of Record shows: the three ways to a recording, or what goes on while one is made.
 #include <QButtonGroup>
+#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -32,11 +33,13 @@ void RecordPanel::refresh() {
   form_ = nullptr;
   const auto opened = workspace().opened();
   QVBoxLayout* column = nullptr;
-  const QString forFiles = tr("Open a recording of the arm moving with its tool. Heft finds mass, centre of mass and "
-                              "inertia, and tells how sure each number is."),
+  const QString forFiles =
+                    tr("Open a recording of the arm moving with its tool. Heft finds mass, centre of mass and "
+                       "inertia, and tells how sure each number is."),
                 forLive = tr("Heft only listens: it moves nothing and changes nothing."),
-                forVirtual = tr("The virtual arm follows your mouse as a hand-guided one follows your hand. Find out "
-                                "what its hidden tool weighs.");
+                forVirtual =
+                    tr("The virtual arm follows your mouse as a hand-guided one follows your hand. Find out "
+                       "what its hidden tool weighs.");
   switch (way_) {
     case Way::files:
       column = page()->restart(tr("What does your tool weigh?"), forFiles);

@@ -7,9 +7,10 @@
 namespace heft {
 namespace {
 
-constexpr double kGap = 10, kEdge = 16, kBeside = 60;                            // [px]
-constexpr double kNoRoom = 1e6, kHides = 4e4, kOutside = 5e3, kUnderNote = 400, kUnderLetter = 40, kOnArm = 150;  // Costs, beside pixels of way
-constexpr double kLeftCosts = 60, kChangeCosts = 15;                             // A label
+constexpr double kGap = 10, kEdge = 16, kBeside = 60;  // [px]
+constexpr double kNoRoom = 1e6, kHides = 4e4, kOutside = 5e3, kUnderNote = 400, kUnderLetter = 40,
+                 kOnArm = 150;                        // Costs, beside pixels of way
+constexpr double kLeftCosts = 60, kChangeCosts = 15;  // A label
 
 const QRectF* firstHit(const QRectF& place, const std::vector<QRectF>& obstacles) {
   const QRectF wide = place.adjusted(-kGap / 2, -kGap / 2, kGap / 2, kGap / 2);

@@ -6,12 +6,12 @@
 namespace heft {
 namespace {
 
-constexpr int kInstants = 200;            ///< Over the recording
-constexpr int kIterations = 100;          ///< At most, for one instant
-constexpr double kDamping = 0.05;         ///< Of the inverse [m], [rad]
-constexpr double kReached = 1e-3;         ///< [m], [rad] More is not drawn: 1 mm and 0.06 degrees
-constexpr double kHomewards = 0.05;       ///< Share of the way home that the free elbow takes in an iteration
-constexpr double kFastest = 3.0;          ///< [rad] between neighbouring instants: more is a leap, not a motion
+constexpr int kInstants = 200;       ///< Over the recording
+constexpr int kIterations = 100;     ///< At most, for one instant
+constexpr double kDamping = 0.05;    ///< Of the inverse [m], [rad]
+constexpr double kReached = 1e-3;    ///< [m], [rad] More is not drawn: 1 mm and 0.06 degrees
+constexpr double kHomewards = 0.05;  ///< Share of the way home that the free elbow takes in an iteration
+constexpr double kFastest = 3.0;     ///< [rad] between neighbouring instants: more is a leap, not a motion
 constexpr const char* kFlange = "panda_link8";
 
 /// Brings `link` to X_BL with the joints nearest to `q`; false where it does not get there within the limits.

@@ -596,7 +596,7 @@ void RobotView::updateNote() {
   if (text.isEmpty() && track_ && !track_->hasJoints()) {
     text = posed_                    ? tr("No joint angles recorded: a Panda is drawn that reaches these poses")
            : track_->positionKnown() ? tr("This recording has no robot: the sensor is shown alone")
-                                   : tr("This recording has no position: the sensor turns in place");
+                                     : tr("This recording has no position: the sensor turns in place");
   }
   note_->setText(text);
   note_->adjustSize();

@@ -217,11 +217,14 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
   }
   if (verb == "units" && words.size() > 1) {
     UnitChoice choice = units();
-    const std::tuple<const char*, bool UnitChoice::*, bool> known[] = {
-        {"kg", &UnitChoice::grams, false},           {"g", &UnitChoice::grams, true},
-        {"mm", &UnitChoice::inches, false},          {"inch", &UnitChoice::inches, true},
-        {"Nm", &UnitChoice::newtonMillimetres, false}, {"Nmm", &UnitChoice::newtonMillimetres, true},
-        {"degrees", &UnitChoice::radians, false},    {"radians", &UnitChoice::radians, true}};
+    const std::tuple<const char*, bool UnitChoice::*, bool> known[] = {{"kg", &UnitChoice::grams, false},
+                                                                       {"g", &UnitChoice::grams, true},
+                                                                       {"mm", &UnitChoice::inches, false},
+                                                                       {"inch", &UnitChoice::inches, true},
+                                                                       {"Nm", &UnitChoice::newtonMillimetres, false},
+                                                                       {"Nmm", &UnitChoice::newtonMillimetres, true},
+                                                                       {"degrees", &UnitChoice::radians, false},
+                                                                       {"radians", &UnitChoice::radians, true}};
     for (const QString& word : words.mid(1)) {
       const auto it = std::find_if(std::begin(known), std::end(known),
                                    [&](const auto& each) { return word == QLatin1String(std::get<0>(each)); });

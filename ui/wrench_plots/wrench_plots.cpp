@@ -113,7 +113,8 @@ class PlotCanvas : public QCustomPlot {
     const QCPAxis* values = axisRect(lane)->axis(QCPAxis::atLeft);
     const double factor = std::pow(0.8, event->angleDelta().y() / 120.0);
     const double fixed = values->pixelToCoord(event->position().y());
-    showValues(lane, fixed + factor * (values->range().lower - fixed), fixed + factor * (values->range().upper - fixed));
+    showValues(lane, fixed + factor * (values->range().lower - fixed),
+               fixed + factor * (values->range().upper - fixed));
     event->accept();
   }
 

@@ -42,11 +42,10 @@ TellingStretch tellingStretch(const DiagnosisSeries& series, const DiagnosedCaus
   const double seconds = family == Family::timing ? 0.5 : 4.0;
   if (const auto channel = sentenceChannel(cause))
     return tellingStretch(series, cause.before, cause.after, seconds, *channel, *channel + 1);
-  const bool ofForce =
-      (family == Family::externalForce || family == Family::load || family == Family::contact) &&
-      std::ranges::none_of(cause.parameters, [](const CauseParameter& p) {
-        return p.unit.starts_with("N m") || p.name.starts_with("turning");
-      });
+  const bool ofForce = (family == Family::externalForce || family == Family::load || family == Family::contact) &&
+                       std::ranges::none_of(cause.parameters, [](const CauseParameter& p) {
+                         return p.unit.starts_with("N m") || p.name.starts_with("turning");
+                       });
   return tellingStretch(series, cause.before, cause.after, seconds, 0, ofForce ? 3 : 6);
 }
 
