@@ -291,6 +291,7 @@ TEST_F(RealityPanelTest, TheReportHoldsEverythingAsPageAndAsPdf) {
   EXPECT_TRUE(text.contains("hose.csv"));
   EXPECT_TRUE(text.contains("Cable or hose pulls"));
   EXPECT_GE(text.count("data:image/png;base64,"), 6);
+  EXPECT_TRUE(text.contains("<br>")) << "a line for each principal moment";
   EXPECT_FALSE(text.contains("http://") || text.contains("https://"));
   const QByteArray start = paper.readAll();
   EXPECT_TRUE(start.startsWith("%PDF"));

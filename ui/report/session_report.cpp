@@ -33,7 +33,7 @@ struct Words {
 constexpr int kWidth = 680;  // [px] of pictures
 const QString kBodyMargin = QStringLiteral("margin:24px auto");
 
-QString escaped(const QString& text) { return text.toHtmlEscaped(); }
+QString escaped(const QString& text) { return text.toHtmlEscaped().replace('\n', QStringLiteral("<br>")); }
 
 QString pictureOf(const QImage& image, const QString& what, int width = kWidth) {
   QByteArray bytes;
