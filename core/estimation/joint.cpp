@@ -165,10 +165,9 @@ std::string proposalWords(const std::vector<JointPiece>& pieces, const std::vect
 }
 
 std::string gainWords(const InformationGain& gain) {
-  if (largest(gain) < kWorthwhile) return "Adds next to nothing: without it the intervals are as narrow.";
-  return fmt::format(
-      "Without it the intervals of mass, centre and inertia are {:.1f}, {:.1f} and {:.1f} times as wide.", gain.mass,
-      gain.com, gain.inertia);
+  if (largest(gain) < kWorthwhile) return heft::say("Adds next to nothing: without it the intervals are as narrow.");
+  return heft::say("Without it the intervals of mass, centre and inertia are {:.1f}, {:.1f} and {:.1f} times as wide.",
+                   gain.mass, gain.com, gain.inertia);
 }
 
 }  // namespace
@@ -226,10 +225,10 @@ Result<JointReport> estimateJointly(std::span<const JointInput> inputs, const Es
     if (!piece.used && !isUnderstood(prepared[i])) {
       piece.words = piece.report.whyNoTrust;
     } else if (!piece.used) {
-      piece.words = fmt::format("Of another tool: by itself it gives {:.3f} kg, the others give {:.3f} kg.",
-                                piece.alone.mass, all->components(0));
+      piece.words = heft::say("Of another tool: by itself it gives {:.3f} kg, the others give {:.3f} kg.",
+                              piece.alone.mass, all->components(0));
     } else if (rest.empty()) {
-      piece.words = "The only one that is used.";
+      piece.words = heft::say("The only one that is used.");
     } else {
       const auto without = joiner.told(rest);
       if (!without) return without.error();

@@ -171,7 +171,8 @@ Result<SessionRecording> readRecordingEntry(const json& entry, const Reader& rea
     }
     if (!out.corrections.causes.empty()) out.corrections.found = corrections["found"].dump();
   }
-  out.kept = othersOf(entry, {"file", "absolute", "marks", "result", "corrections"});
+  out.name = textOf(entry, "name");
+  out.kept = othersOf(entry, {"file", "absolute", "name", "marks", "result", "corrections"});
   return out;
 }
 
@@ -247,6 +248,7 @@ std::string sessionText(const Session& session, const fs::path& folder, bool asR
     const json result = json::parse(recording.result, nullptr, false);
     recordings.push_back(withKept({{"file", relativeTo(recording.file, folder)},
                                    {"absolute", displayName(recording.file)},
+                                   {"name", recording.name},
                                    {"marks", marksJson(recording.marks)},
                                    {"result", result.is_object() ? result : json()},
                                    {"corrections", correctionsJson(recording.corrections)}},
@@ -261,6 +263,7 @@ std::string sessionText(const Session& session, const fs::path& folder, bool asR
   json out{{"schema", fmt::format("{}{}", kSchema, kSessionVersion)},
            {"recordings", std::move(recordings)},
            {"active", session.active},
+           {"joined", session.joined},
            {"shape", withKept(shapeJson(session.shape, folder), memberOf(kept, "shape"))},
            {"settings", withKept({{"method", heft::toString(session.settings.method)},
                                   {"parameters", heft::toString(session.settings.parameters)},
@@ -314,6 +317,8 @@ Result<Session> parseSession(std::string_view text, const std::string& name, con
   out.active = active.is_number_integer() && active.get<long>() >= 0 && active.get<long>() < count
                    ? active.get<int>()
                    : (count > 0 ? 0 : -1);
+  const json& joined = memberOf(object, "joined");
+  out.joined = joined.is_boolean() && joined.get<bool>();
   auto shape = readShapeChoice(memberOf(object, "shape"), reader, folder);
   if (!shape) return shape.error();
   out.shape = std::move(shape).value();
@@ -329,8 +334,8 @@ Result<Session> parseSession(std::string_view text, const std::string& name, con
     out.home = textOf(view, "home");
   }
 
-  json kept = keptObject(
-      othersOf(object, {"schema", "recordings", "active", "shape", "settings", "known_payload", "export", "view"}));
+  json kept = keptObject(othersOf(
+      object, {"schema", "recordings", "active", "joined", "shape", "settings", "known_payload", "export", "view"}));
   const auto keepInside = [&](const char* key, std::initializer_list<std::string_view> mine) {
     if (!memberOf(object, key).is_object()) return;
     const json others = keptObject(othersOf(object[key], mine));

@@ -36,6 +36,7 @@ struct SessionRecording {
   std::string result;          ///< The last heft.estimate/1 as JSON text; empty if there is none.
   std::string kept;            ///< JSON object text with keys that a newer version wrote.
   Corrections corrections = {};
+  std::string name = {};  ///< What the user calls it; empty: as the file.
 };
 
 /// The answer to "What does your tool look like?".
@@ -72,7 +73,8 @@ struct ExportChoice {
 
 struct Session {
   std::vector<SessionRecording> recordings;
-  int active = -1;  ///< Index of the recording shown; -1 without any.
+  int active = -1;      ///< Index of the recording shown; -1 without any.
+  bool joined = false;  ///< All recordings are of one tool and give one result.
   ShapeChoice shape;
   EstimateSettings settings;
   ExportChoice exporting;

@@ -541,6 +541,32 @@
     </message>
 </context>
 <context>
+    <name>Joining</name>
+    <message>
+        <source>%1 deserves little trust, and with it the numbers from all of them.</source>
+        <translation>%1 verdient wenig Vertrauen, und damit auch die Werte aus allen zusammen.</translation>
+    </message>
+    <message>
+        <source>Look at its result alone, or leave it out.</source>
+        <translation>Sehen Sie sich ihr eigenes Ergebnis an, oder lassen Sie sie weg.</translation>
+    </message>
+    <message numerus="yes">
+        <source>These numbers rest on %n recordings together: %1.</source>
+        <translation>
+            <numerusform>Diese Werte beruhen auf %n Aufnahme: %1.</numerusform>
+            <numerusform>Diese Werte beruhen auf %n Aufnahmen zusammen: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This recording contradicts the others or is not understood. Its numbers are its own.</source>
+        <translation>Diese Aufnahme widerspricht den anderen oder wird nicht verstanden. Ihre Werte sind nur ihre eigenen.</translation>
+    </message>
+    <message>
+        <source>Only recordings without applied corrections are joined; these numbers are of %1 alone.</source>
+        <translation>Zusammengefasst werden nur Aufnahmen ohne angewandte Korrekturen; diese Werte stammen allein aus %1.</translation>
+    </message>
+</context>
+<context>
     <name>LiveWords</name>
     <message>
         <source>Tilt the tool sideways and back, slowly</source>
@@ -852,10 +878,6 @@
         <source>swing from the wrist</source>
         <translation>aus dem Handgelenk schwingen</translation>
     </message>
-    <message>
-        <source>%1 %2 kg</source>
-        <translation>%1 %2 kg</translation>
-    </message>
 </context>
 <context>
     <name>MarkText</name>
@@ -1065,6 +1087,10 @@
         <source>3D view alo&amp;ne</source>
         <translation>Nur die &amp;3D-Ansicht</translation>
     </message>
+    <message>
+        <source>&amp;Tour with a sample</source>
+        <translation>&amp;Rundgang mit einem Beispiel</translation>
+    </message>
 </context>
 <context>
     <name>MethodTable</name>
@@ -1234,6 +1260,26 @@
     <message>
         <source>Another one</source>
         <translation>Noch eine</translation>
+    </message>
+    <message>
+        <source>Not “%1”. It would look like this: %2 One more try.</source>
+        <translation>Nicht „%1“. Das sähe so aus: %2 Noch ein Versuch.</translation>
+    </message>
+    <message>
+        <source>Show the answer</source>
+        <translation>Lösung zeigen</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Give me a hint</source>
+        <translation>Hinweis geben</translation>
+    </message>
+    <message>
+        <source>Found at once: %1 of %2. With a hint or at the second try: %3.</source>
+        <translation>Sofort gefunden: %1 von %2. Mit Hinweis oder im zweiten Versuch: %3.</translation>
     </message>
 </context>
 <context>
@@ -1873,16 +1919,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Rest, Moment</translation>
     </message>
     <message>
-        <source>%1 N m</source>
-        <translation>%1 N m</translation>
-    </message>
-    <message>
         <source>On unseen parts</source>
         <translation>Auf ungesehenen Teilen</translation>
-    </message>
-    <message>
-        <source>%1 N, %2 N m</source>
-        <translation>%1 N, %2 N m</translation>
     </message>
     <message>
         <source>The same on parts that the estimate did not see</source>
@@ -1973,36 +2011,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Masse</translation>
     </message>
     <message>
-        <source>kg</source>
-        <translation>kg</translation>
-    </message>
-    <message>
         <source>Mass of the tool</source>
         <translation>Masse des Werkzeugs</translation>
     </message>
     <message>
-        <source> kg</source>
-        <translation> kg</translation>
-    </message>
-    <message>
-        <source>you stated %1 kg, %2 % away</source>
-        <translation>Ihre Angabe: %1 kg, %2 % entfernt</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
         <source>Centre of mass from the sensor&apos;s origin along its axis %1</source>
         <translation>Schwerpunkt vom Ursprung des Sensors entlang seiner Achse %1</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>%1 mm from the centre you stated</source>
-        <translation>%1 mm vom angegebenen Schwerpunkt</translation>
     </message>
     <message>
         <source>kg mm²</source>
@@ -2019,10 +2033,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>This motion does not tell the mass.</source>
         <translation>Diese Bewegung verrät die Masse nicht.</translation>
-    </message>
-    <message>
-        <source>Your tool weighs %1 kg.</source>
-        <translation>Ihr Werkzeug wiegt %1 kg.</translation>
     </message>
     <message>
         <source>Check the warnings first: these numbers may be off by more than they say.</source>
@@ -2045,16 +2055,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Trägheit</translation>
     </message>
     <message>
-        <source>%1 kg known, %2 % away</source>
-        <translation>%1 kg bekannt, %2 % entfernt</translation>
-    </message>
-    <message>
         <source>|estimate − known| / known</source>
         <translation>|Schätzung − bekannt| / bekannt</translation>
-    </message>
-    <message>
-        <source>%1 mm away</source>
-        <translation>%1 mm entfernt</translation>
     </message>
     <message>
         <source> (%1 %)</source>
@@ -2093,10 +2095,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>%1 % Ihre Form</translation>
     </message>
     <message>
-        <source>Your tool seems to weigh %1 kg.</source>
-        <translation>Ihr Werkzeug wiegt anscheinend %1 kg.</translation>
-    </message>
-    <message>
         <source>No weight can be told yet.</source>
         <translation>Noch lässt sich kein Gewicht nennen.</translation>
     </message>
@@ -2107,14 +2105,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>moved by your shape, %1 σ</source>
         <translation>von Ihrer Form verschoben, %1 σ</translation>
-    </message>
-    <message>
-        <source>the recording says %1 kg, %2 % away</source>
-        <translation>die Aufnahme nennt %1 kg, %2 % entfernt</translation>
-    </message>
-    <message>
-        <source>%1 mm from the centre that the recording states</source>
-        <translation>%1 mm vom Schwerpunkt, den die Aufnahme nennt</translation>
     </message>
     <message>
         <source>%1 % from the inertia that the recording states</source>
@@ -2131,6 +2121,82 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>With it: %1.</source>
         <translation>Mit ihr: %1.</translation>
+    </message>
+    <message>
+        <source>%1 kg cm² about (%2, %3, %4)</source>
+        <translation>%1 kg cm² um (%2; %3; %4)</translation>
+    </message>
+    <message>
+        <source>Principal moments</source>
+        <translation>Hauptmomente</translation>
+    </message>
+    <message>
+        <source>Moments about the centre of mass that have no products, and their axes in the sensor’s frame</source>
+        <translation>Momente um den Schwerpunkt ohne Deviationsmomente und ihre Achsen im Rahmen des Sensors</translation>
+    </message>
+    <message>
+        <source>%1 %, %2</source>
+        <translation>%1 %, %2</translation>
+    </message>
+    <message>
+        <source>Told by the motion</source>
+        <translation>Aus der Bewegung</translation>
+    </message>
+    <message>
+        <source>Ten independent directions among the parameters, and the share of the data in each; the rest comes from what was assumed</source>
+        <translation>Zehn unabhängige Richtungen unter den Parametern und der Anteil der Daten daran; der Rest kommt aus dem, was angenommen wurde</translation>
+    </message>
+    <message>
+        <source>By channel, force</source>
+        <translation>Je Kanal, Kraft</translation>
+    </message>
+    <message>
+        <source>%1 N, scatter %2</source>
+        <translation>%1 N, Streuung %2</translation>
+    </message>
+    <message>
+        <source>Root mean square x, y, z of the difference, and the sensor’s own scatter</source>
+        <translation>Quadratischer Mittelwert x, y, z der Differenz und die eigene Streuung des Sensors</translation>
+    </message>
+    <message>
+        <source>By channel, torque</source>
+        <translation>Je Kanal, Moment</translation>
+    </message>
+    <message>
+        <source>%1 %2, scatter %3</source>
+        <translation>%1 %2, Streuung %3</translation>
+    </message>
+    <message>
+        <source>%1 known, %2 % away</source>
+        <translation>%1 bekannt, %2 % daneben</translation>
+    </message>
+    <message>
+        <source>%1 %2 away</source>
+        <translation>%1 %2 daneben</translation>
+    </message>
+    <message>
+        <source>you stated %1, %2 % away</source>
+        <translation>Ihre Angabe %1, %2 % daneben</translation>
+    </message>
+    <message>
+        <source>the recording says %1, %2 % away</source>
+        <translation>laut Aufnahme %1, %2 % daneben</translation>
+    </message>
+    <message>
+        <source>%1 %2 from the centre you stated</source>
+        <translation>%1 %2 von Ihrem angegebenen Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>%1 %2 from the centre that the recording states</source>
+        <translation>%1 %2 vom Schwerpunkt, den die Aufnahme nennt</translation>
+    </message>
+    <message>
+        <source>Your tool weighs %1.</source>
+        <translation>Ihr Werkzeug wiegt %1.</translation>
+    </message>
+    <message>
+        <source>Your tool seems to weigh %1.</source>
+        <translation>Ihr Werkzeug wiegt anscheinend %1.</translation>
     </message>
 </context>
 <context>
@@ -5947,7 +6013,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>torque {}</source>
-        <translation>Drehmoment {}</translation>
+        <translation>Moment {}</translation>
     </message>
     <message>
         <source>a rhythm of {:.2g} Hz</source>
@@ -6391,15 +6457,15 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Torque x</source>
-        <translation>Drehmoment x</translation>
+        <translation>Moment x</translation>
     </message>
     <message>
         <source>Torque y</source>
-        <translation>Drehmoment y</translation>
+        <translation>Moment y</translation>
     </message>
     <message>
         <source>Torque z</source>
-        <translation>Drehmoment z</translation>
+        <translation>Moment z</translation>
     </message>
     <message>
         <source>{} is cut off at {:.4g} {}: the sensor is at the end of its range.</source>
@@ -8729,6 +8795,22 @@ Bitte prüfen Sie den Namen.</translation>
         <source>{}: the payload changes in the same direction at {:.1f} and {:.1f} s, so there are three of them. Give two recordings, one with the object and one without.</source>
         <translation>{}: Die Last ändert sich bei {:.1f} und {:.1f} s in dieselbe Richtung, es sind also drei. Geben Sie zwei Aufnahmen an, eine mit dem Gegenstand und eine ohne.</translation>
     </message>
+    <message>
+        <source>Adds next to nothing: without it the intervals are as narrow.</source>
+        <translation>Bringt so gut wie nichts: Ohne sie sind die Bereiche ebenso schmal.</translation>
+    </message>
+    <message>
+        <source>Without it the intervals of mass, centre and inertia are {:.1f}, {:.1f} and {:.1f} times as wide.</source>
+        <translation>Ohne sie sind die Bereiche von Masse, Schwerpunkt und Trägheit {:.1f}-, {:.1f}- und {:.1f}-mal so breit.</translation>
+    </message>
+    <message>
+        <source>Of another tool: by itself it gives {:.3f} kg, the others give {:.3f} kg.</source>
+        <translation>Von einem anderen Werkzeug: Für sich ergibt sie {:.3f} kg, die anderen ergeben {:.3f} kg.</translation>
+    </message>
+    <message>
+        <source>The only one that is used.</source>
+        <translation>Die einzige, die verwendet wird.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
@@ -9139,6 +9221,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Picture of this</source>
         <translation>Bild davon</translation>
     </message>
+    <message>
+        <source>Grey: what the verdict takes for the sensor’s noise, slow noise included.</source>
+        <translation>Grau: was das Urteil für Rauschen des Sensors hält, auch langsames.</translation>
+    </message>
 </context>
 <context>
     <name>heft::DifferenceTraces</name>
@@ -9450,6 +9536,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Back to the result</source>
         <translation>Zurück zum Ergebnis</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Im Ordner zeigen</translation>
     </message>
 </context>
 <context>
@@ -10657,6 +10747,38 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>Enter</source>
         <translation>Eingabe</translation>
     </message>
+    <message>
+        <source>&amp;Masses in</source>
+        <translation>&amp;Massen in</translation>
+    </message>
+    <message>
+        <source>L&amp;engths in</source>
+        <translation>&amp;Längen in</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>T&amp;orques in</source>
+        <translation>M&amp;omente in</translation>
+    </message>
+    <message>
+        <source>&amp;Angles in</source>
+        <translation>&amp;Winkel in</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>Bogenmaß</translation>
+    </message>
+    <message>
+        <source>For the result and the plots. Files keep the units of their format, and lengths that you enter are in mm.</source>
+        <translation>Für Ergebnis und Kurven. Dateien behalten die Einheiten ihres Formats; Längen geben Sie in mm ein.</translation>
+    </message>
 </context>
 <context>
     <name>heft::RealityPanel</name>
@@ -11031,26 +11153,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>%1 öffnen</translation>
     </message>
     <message>
-        <source>In this session</source>
-        <translation>In dieser Sitzung</translation>
-    </message>
-    <message>
-        <source>%1, not read</source>
-        <translation>%1, nicht gelesen</translation>
-    </message>
-    <message>
-        <source>%1, %2 kg</source>
-        <translation>%1, %2 kg</translation>
-    </message>
-    <message>
-        <source>Shown now: %1</source>
-        <translation>Jetzt gezeigt: %1</translation>
-    </message>
-    <message>
-        <source>Show %1</source>
-        <translation>%1 zeigen</translation>
-    </message>
-    <message>
         <source>Time, joint angles or sensor poses, and force and torque: a CSV, a ROS bag, MCAP or HDF5. A file NAME.meta.json beside it may name the robot and how the sensor is mounted.</source>
         <translation>Zeit, Gelenkwinkel oder Sensorposen, Kraft und Moment: als CSV, ROS-Bag, MCAP oder HDF5. Eine Datei NAME.meta.json daneben kann den Roboter nennen und wie der Sensor angebaut ist.</translation>
     </message>
@@ -11348,6 +11450,73 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>%1   ·   %2, %3</source>
         <translation>%1   ·   %2, %3</translation>
     </message>
+    <message>
+        <source>Two-minute tour with a sample</source>
+        <translation>Zwei Minuten Rundgang mit einem Beispiel</translation>
+    </message>
+    <message>
+        <source>sample expects clean, hose or delay.</source>
+        <translation>sample erwartet clean, hose oder delay.</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>heft::RecordingList</name>
+    <message>
+        <source>In this session</source>
+        <translation>In dieser Sitzung</translation>
+    </message>
+    <message>
+        <source>%1, not read</source>
+        <translation>%1, nicht gelesen</translation>
+    </message>
+    <message>
+        <source>%1, by itself %2</source>
+        <translation>%1, für sich %2</translation>
+    </message>
+    <message>
+        <source>Shown now: %1</source>
+        <translation>Jetzt gezeigt: %1</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Rename or close %1</source>
+        <translation>%1 umbenennen oder schließen</translation>
+    </message>
+    <message>
+        <source>One tool: one result from all of them</source>
+        <translation>Ein Werkzeug: ein Ergebnis aus allen</translation>
+    </message>
+    <message>
+        <source>Each recording keeps its own sensor zero and noise; mass, centre of mass and inertia are shared. A recording that contradicts the others is left out, and said.</source>
+        <translation>Jede Aufnahme behält ihren eigenen Nullpunkt und ihr Rauschen; Masse, Schwerpunkt und Trägheit sind gemeinsam. Eine Aufnahme, die den anderen widerspricht, wird weggelassen; Heft sagt es dann.</translation>
+    </message>
+    <message>
+        <source>The shape and what you know of the tool hold for all of them. Another tool is a session of its own: menu File, New.</source>
+        <translation>Die Form und was Sie vom Werkzeug wissen gelten für alle. Ein anderes Werkzeug ist eine eigene Sitzung: Menü Datei, Neu.</translation>
+    </message>
+    <message>
+        <source>&amp;Rename …</source>
+        <translation>&amp;Umbenennen …</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Name in this session; the file keeps its own.</source>
+        <translation>Name in dieser Sitzung; die Datei behält ihren.</translation>
+    </message>
 </context>
 <context>
     <name>heft::RecordingPane</name>
@@ -11566,6 +11735,14 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>Show the cause</source>
         <translation>Ursache zeigen</translation>
     </message>
+    <message>
+        <source>Copy the details</source>
+        <translation>Details kopieren</translation>
+    </message>
+    <message>
+        <source>As a table for a spreadsheet or a message</source>
+        <translation>Als Tabelle für eine Tabellenkalkulation oder eine Nachricht</translation>
+    </message>
 </context>
 <context>
     <name>heft::ResultStep</name>
@@ -11580,10 +11757,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>no estimate yet</source>
         <translation>noch keine Schätzung</translation>
-    </message>
-    <message>
-        <source>%1 kg</source>
-        <translation>%1 kg</translation>
     </message>
     <message>
         <source>%1, check first</source>
@@ -11927,6 +12100,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>3D view alone, or with the rest again</source>
         <translation>Nur die 3D-Ansicht, oder wieder mit allem anderen</translation>
     </message>
+    <message>
+        <source>No joint angles recorded: a Panda is drawn that reaches these poses</source>
+        <translation>Keine Gelenkwinkel aufgenommen: gezeigt wird ein Panda, der diese Lagen erreicht</translation>
+    </message>
 </context>
 <context>
     <name>heft::ScriptRunner</name>
@@ -11981,6 +12158,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>alone expects view, plots or off.</source>
         <translation>alone erwartet view, plots oder off.</translation>
+    </message>
+    <message>
+        <source>%1 is no unit; units expects kg, g, mm, inch, Nm, Nmm, degrees or radians.</source>
+        <translation>%1 ist keine Einheit; units erwartet kg, g, mm, inch, Nm, Nmm, degrees oder radians.</translation>
     </message>
 </context>
 <context>
@@ -12285,10 +12466,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Port, an den Ihr Programm sendet; leer: 9870</translation>
     </message>
     <message>
-        <source>Datagrams with a JSON object each: time, q1 … q7, fx … tz. Only from this computer.</source>
-        <translation>Datagramme mit je einem JSON-Objekt: time, q1 … q7, fx … tz. Nur von diesem Rechner.</translation>
-    </message>
-    <message>
         <source>Recording to play</source>
         <translation>Aufzeichnung zum Abspielen</translation>
     </message>
@@ -12403,6 +12580,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Say where the sensor’s measuring point is, or choose a rig file.</source>
         <translation>Sagen Sie, wo der Messpunkt des Sensors ist, oder wählen Sie eine Aufbaudatei.</translation>
+    </message>
+    <message>
+        <source>Datagrams with a JSON object each: time [s], q1 … q7 [rad], fx fy fz [N], tx ty tz [N m]. Only from this computer.</source>
+        <translation>Datagramme mit je einem JSON-Objekt: time [s], q1 … q7 [rad], fx fy fz [N], tx ty tz [N m]. Nur von diesem Rechner.</translation>
     </message>
 </context>
 <context>
@@ -12768,6 +12949,57 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     </message>
 </context>
 <context>
+    <name>heft::Tour</name>
+    <message>
+        <source>Everything begins with a recording: the arm moved with its tool while the sensor measured. In this sample a hose pulls at the tool, and nobody told Heft. Press the space bar to see the arm move.</source>
+        <translation>Alles beginnt mit einer Aufnahme: Der Arm bewegte sich mit seinem Werkzeug, der Sensor maß. In diesem Beispiel zieht ein Schlauch am Werkzeug, und niemand hat es Heft gesagt. Die Leertaste lässt den Arm laufen.</translation>
+    </message>
+    <message>
+        <source>Only stretches in which the tool touched nothing tell its weight. Heft has sorted them; everything is free here. In your own recordings you can paint over what Heft took wrongly.</source>
+        <translation>Nur Abschnitte, in denen das Werkzeug nichts berührt, verraten sein Gewicht. Heft hat sie sortiert; hier ist alles frei. In eigenen Aufnahmen übermalen Sie, was Heft falsch einordnet.</translation>
+    </message>
+    <message>
+        <source>If you know roughly what the tool looks like, say it here: it helps where the motion shows too little. “I don’t know” is a fine answer, and right for now.</source>
+        <translation>Wenn Sie ungefähr wissen, wie das Werkzeug aussieht, sagen Sie es hier: Es hilft, wo die Bewegung zu wenig zeigt. „Weiß ich nicht“ ist eine gute Antwort, und für jetzt die richtige.</translation>
+    </message>
+    <message>
+        <source>The weight, and how sure Heft is. The triangles say: check first, something besides a rigid tool is at work. The tool of this sample really weighs 0.800 kg.</source>
+        <translation>Das Gewicht, und wie sicher Heft ist. Die Dreiecke sagen: erst prüfen, hier wirkt etwas außer einem starren Werkzeug. In Wahrheit wiegt das Werkzeug dieses Beispiels 0,800 kg.</translation>
+    </message>
+    <message>
+        <source>Choose your controller, look at the file, save it. That is all. Go on with a recording of your own, with the virtual arm, or with a hidden fault from the menu Practice.</source>
+        <translation>Wählen Sie Ihre Steuerung, sehen Sie die Datei an, speichern Sie sie. Das ist alles. Weiter geht es mit einer eigenen Aufnahme, mit dem virtuellen Arm oder mit einem versteckten Fehler aus dem Menü Üben.</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Rundgang beenden</translation>
+    </message>
+    <message>
+        <source>Tour, %1 of 6: %2</source>
+        <translation>Rundgang, %1 von 6: %2</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Here Heft says what it is, and draws it on the arm. Press “Apply this correction”, look at the curves below the arm, then at step 4: the number has come close to the truth.</source>
+        <translation>Hier sagt Heft, was es ist, und zeichnet es an den Arm. Wenden Sie die Korrektur an, sehen Sie auf die Kurven unter dem Arm und dann auf Schritt 4: Der Wert ist nahe an der Wahrheit.</translation>
+    </message>
+</context>
+<context>
     <name>heft::Viewport</name>
     <message>
         <source>The 3D view needs OpenGL, which this computer does not offer. Everything else works without it.</source>
@@ -12823,6 +13055,22 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>mark as ignored</source>
         <translation>als ignoriert markieren</translation>
     </message>
+    <message>
+        <source>rename “%1”</source>
+        <translation>„%1“ umbenennen</translation>
+    </message>
+    <message>
+        <source>close “%1”</source>
+        <translation>„%1“ schließen</translation>
+    </message>
+    <message>
+        <source>one result for all recordings</source>
+        <translation>ein Ergebnis für alle Aufnahmen</translation>
+    </message>
+    <message>
+        <source>a result for each recording</source>
+        <translation>ein Ergebnis für jede Aufnahme</translation>
+    </message>
 </context>
 <context>
     <name>heft::WrenchPlots</name>
@@ -12851,10 +13099,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>N</translation>
     </message>
     <message>
-        <source>N m</source>
-        <translation>N m</translation>
-    </message>
-    <message>
         <source>Show the whole recording</source>
         <translation>Die ganze Aufnahme zeigen</translation>
     </message>
@@ -12869,6 +13113,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Copy picture</source>
         <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Scale the values to the curves</source>
+        <translation>Werte an die Kurven anpassen</translation>
     </message>
 </context>
 </TS>

@@ -12,6 +12,16 @@
     </message>
 </context>
 <context>
+    <name>Joining</name>
+    <message numerus="yes">
+        <source>These numbers rest on %n recordings together: %1.</source>
+        <translation>
+            <numerusform>These numbers rest on %n recording: %1.</numerusform>
+            <numerusform>These numbers rest on %n recordings together: %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>LiveWords</name>
     <message numerus="yes">
         <source>%n of at least 6 poses can be used.</source>

@@ -15,6 +15,7 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QUndoStack>
+#include <QWheelEvent>
 
 #include "tests/gl/window_fixture.h"
 #include "ui/timeline/marks_bar.h"
@@ -225,7 +226,8 @@ TEST_F(PlotsWindowTest, AMarkIsTurnedIntoAnotherByItsMenu) {
 TEST_F(PlotsWindowTest, PreferencesTakeEffect) {
   const QString wanted = folder.filePath("elsewhere");
   qRegisterMetaType<ThemeKind>("heft::ThemeKind");
-  QSignalSpy theme(&window, &MainWindow::themeWanted);
+  qRegisterMetaType<UnitChoice>("heft::UnitChoice");
+  QSignalSpy theme(&window, &MainWindow::themeWanted), units(&window, &MainWindow::unitsWanted);
   QTimer::singleShot(200, [&] {
     auto* dialog = window.findChild<QDialog*>("preferences");
     ASSERT_NE(dialog, nullptr);
@@ -235,6 +237,8 @@ TEST_F(PlotsWindowTest, PreferencesTakeEffect) {
     for (int r = 0; r < keys->rowCount(); ++r) all << keys->item(r, 1)->text();
     for (const char* key : {"F1", "F11", "Ctrl+S", "Alt+3", "F6"}) EXPECT_TRUE(all.contains(key)) << key;
     dialog->findChild<QComboBox*>("preferredTheme")->setCurrentIndex(1);
+    dialog->findChild<QComboBox*>("preferredMass")->setCurrentIndex(1);
+    dialog->findChild<QComboBox*>("preferredTorque")->setCurrentIndex(1);
     dialog->findChild<QLineEdit*>("preferredFolder")->setText(wanted);
     if (qEnvironmentVariableIsSet("HEFT_TEST_PICTURES"))
       dialog->grab().save(QDir(qEnvironmentVariable("HEFT_TEST_PICTURES")).filePath("preferences.png"));
@@ -243,6 +247,35 @@ TEST_F(PlotsWindowTest, PreferencesTakeEffect) {
   window.findChild<QAction*>("editPreferences")->trigger();
   EXPECT_EQ(recordedFolder(), wanted);
   EXPECT_EQ(theme.count(), 1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return units.count() == 1; }, 1000));
+  EXPECT_EQ(units[0][0].value<UnitChoice>(), (UnitChoice{true, false, true, false}));
+}
+
+TEST_F(PlotsWindowTest, ABoxAndTheWheelWithCtrlZoomValues) {
+  open(plotsRecording());
+  WrenchPlots* plots = pane()->plots();
+  QWidget* canvas = plots->findChild<QWidget*>();
+  const MinMax before = plots->laneRange(0);
+  const double whole = before.highest - before.lowest;
+  // Over half of the force lane's height: values and time.
+  const int top = 12, x = canvas->width() / 2;
+  drag(canvas, {x - 60, top}, {x + 60, top + 20});
+  MinMax boxed = plots->laneRange(0);
+  EXPECT_LT(boxed.highest - boxed.lowest, 0.8 * whole);
+  EXPECT_LT(pane()->timeAxis()->span(), 4.0);
+  QTest::mouseDClick(canvas, Qt::LeftButton, {}, {x, top + 8});
+  EXPECT_NEAR(plots->laneRange(0).highest - plots->laneRange(0).lowest, whole, 1e-6 * whole);
+  // Along the time the values stay those of the curves.
+  drag(canvas, {x - 60, top + 8}, {x + 60, top + 11});
+  EXPECT_LT(pane()->timeAxis()->span(), 4.0);
+  QTest::mouseDClick(canvas, Qt::LeftButton, {}, {x, top + 8});
+  const QPoint at(x, top + 8);
+  QWheelEvent wheel(at, canvas->mapToGlobal(at), {}, QPoint(0, 120), Qt::NoButton, Qt::ControlModifier,
+                    Qt::NoScrollPhase, false);
+  QApplication::sendEvent(canvas, &wheel);
+  const MinMax zoomed = plots->laneRange(0);
+  EXPECT_NEAR(zoomed.highest - zoomed.lowest, 0.8 * whole, 0.02 * whole);
+  EXPECT_TRUE(pane()->timeAxis()->showsAll());
 }
 
 }  // namespace

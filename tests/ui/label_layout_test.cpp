@@ -51,6 +51,19 @@ TEST(LabelLayout, GoesToTheLeftWhereTheRightHasNoRoom) {
   EXPECT_EQ(side, LabelSide::right);
 }
 
+TEST(LabelLayout, LeavesTheArmInSight) {
+  // The tool at the right of the arm: the letter of an axis in the way of two leaders is no reason to cover the arm.
+  LabelSide side = LabelSide::left;
+  LabelRoom room{{800, 400}, {}, {QRectF(420, 120, 60, 140)}};
+  room.letters = {QRectF(500, 150, 18, 18), QRectF(500, 200, 18, 18)};
+  room.arm = {QRectF(240, 100, 170, 80), QRectF(240, 180, 60, 180)};
+  const auto places = placeLabels(
+      {{{450, 130}, {120, 24}}, {{450, 160}, {120, 24}}, {{450, 208}, {150, 40}}, {{450, 250}, {90, 24}}}, room, side);
+  expectFree(places, room.letters, room.picture);
+  expectFree(places, room.arm, room.picture);
+  EXPECT_EQ(side, LabelSide::right);
+}
+
 TEST(LabelLayout, WhereNothingIsFreeLabelsStillDoNotCoverEachOther) {
   LabelSide side = LabelSide::right;
   const LabelRoom room{{300, 200}, {}, {QRectF(0, 0, 300, 200)}};

@@ -5,6 +5,8 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
+#include <QVBoxLayout>
 
 #include "tests/ui/fixtures.h"
 #include "ui/results/result_panel.h"
@@ -106,6 +108,32 @@ TEST(ResultPanel, FitsItsWidthWithoutBeingCut) {
     EXPECT_GE(label->width() + 1, label->sizeHint().width()) << label->text().toStdString();
     EXPECT_LE(label->mapTo(&panel, QPoint(label->width(), 0)).x(), panel.width()) << label->text().toStdString();
   }
+}
+
+TEST(MessageBar, InformationFloatsAndMovesNothing) {
+  QWidget window;
+  auto* column = new QVBoxLayout(&window);
+  auto* bar = new MessageBar(&window);
+  auto* rest = new QWidget(&window);
+  column->addWidget(bar);
+  column->addWidget(rest, 1);
+  window.resize(900, 500);
+  window.show();
+  QApplication::processEvents();
+  const QRect before = rest->geometry();
+  bar->showMessage(Severity::info, "Saved a.csv.");
+  QApplication::processEvents();
+  auto* toast = window.findChild<QFrame*>("toast");
+  ASSERT_TRUE(toast && toast->isVisible());
+  EXPECT_EQ(rest->geometry(), before);
+  EXPECT_TRUE(window.rect().contains(toast->geometry()));
+  EXPECT_EQ(bar->text(), "Saved a.csv.");
+  bar->showMessage(Severity::error, "b.csv is no recording.");
+  QApplication::processEvents();
+  EXPECT_NE(rest->geometry(), before) << "what stays has a place of its own";
+  bar->clear();
+  QApplication::processEvents();
+  EXPECT_EQ(rest->geometry(), before);
 }
 
 TEST(MessageBar, ShowsTheSentenceAndCloses) {

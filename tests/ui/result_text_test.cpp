@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/ui/fixtures.h"
 #include "ui/models/numbers.h"
 #include "ui/models/result_text.h"
+#include "ui/models/units.h"
 
 namespace heft {
 namespace {
@@ -96,6 +98,35 @@ TEST(DescribeResult, ComparesWithWhatIsStated) {
   EXPECT_GT(text.massScale.stated, text.massScale.value);
   EXPECT_LT(text.massScale.from, text.massScale.value);
   EXPECT_GT(text.massScale.to, text.massScale.value);
+}
+
+TEST(DescribeResult, SpeaksTheUnitsThatAreChosen) {
+  const Recording recording = test::sineRecording(1000, 100);
+  PartialPayload stated;
+  stated.mass = 0.815;
+  setUnits({true, true, true, false});
+  const ResultText text = describeResult(test::reportOn(recording), {stated});
+  setUnits({});
+  EXPECT_EQ(text.question, "Your tool weighs 812 g.");
+  EXPECT_EQ(text.mass.value, "812");
+  EXPECT_EQ(text.mass.plusMinus, QString::fromUtf8("± 4 g"));
+  EXPECT_EQ(text.massNote, "you stated 815 g, 0.4 % away");
+  EXPECT_NEAR(text.com[2].value.toDouble() * 25.4, 1e3 * test::reportOn(recording).payload.com.z(), 0.5);
+  EXPECT_TRUE(text.com[2].plusMinus.endsWith(" in"));
+  QString details;
+  for (const DetailText& detail : text.details) details += detail.name + detail.value + '\n';
+  EXPECT_TRUE(details.contains("N mm")) << details.toStdString();
+  EXPECT_TRUE(details.contains("Principal moments"));
+}
+
+TEST(DescribeResult, SaysTheDifferenceByChannel) {
+  const Recording recording = test::sineRecording(1000, 100);
+  const ResultText text = describeResult(test::reportOn(recording), {});
+  const auto row = std::find_if(text.details.begin(), text.details.end(),
+                                [](const auto& d) { return d.name == "By channel, force"; });
+  ASSERT_NE(row, text.details.end());
+  // The made-up simulation misses x by 0.25 N and nothing else.
+  EXPECT_TRUE(row->value.startsWith("0.250  0.000  0.000 N")) << row->value.toStdString();
 }
 
 TEST(DescribeResult, SurvivesEmptyAndInfiniteNumbers) {

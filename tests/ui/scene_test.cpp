@@ -5,6 +5,7 @@
 
 #include "tests/ui/fixtures.h"
 #include "ui/robot_view/orbit_camera.h"
+#include "ui/robot_view/posed_arm.h"
 #include "ui/robot_view/robot_look.h"
 #include "ui/robot_view/robot_view.h"
 #include "ui/robot_view/scene_state.h"
@@ -97,6 +98,38 @@ TEST(SceneTrack, JointsGiveTheSamePoseAsTheRobot) {
   const Isometry3d wanted =
       panda.linkPose(q, *panda.findLink("panda_link8")) * poseFromXyzRpy(Vector3d(0, 0, 0.04), Vector3d::Zero());
   EXPECT_NEAR((track.sensorAt(0.5).matrix() - wanted.matrix()).norm(), 0, 1e-12);
+}
+
+TEST(PosedArm, ReachesThePosesOfARecordingOrStaysAway) {
+  const RobotModel& panda = RobotModel::panda();
+  const std::shared_ptr<const RobotModel> robot(std::shared_ptr<void>(), &panda);
+  const int flange = *panda.findLink("panda_link8");
+  Recording recording;
+  constexpr int kRows = 300;
+  recording.time = VectorXd::LinSpaced(kRows, 0.0, 6.0);
+  recording.position.resize(kRows, 3);
+  recording.quaternion.resize(kRows, 4);
+  recording.meta.mount.xyz = {0.0, 0.02, 0.05};
+  const Isometry3d X_FS = poseFromXyzRpy(recording.meta.mount.xyz, recording.meta.mount.rpy);
+  for (int n = 0; n < kRows; ++n) {
+    VectorXd q = panda.homePosture();
+    for (int j = 0; j < q.size(); ++j) q(j) += 0.35 * std::sin(0.5 * (j + 1) * recording.time(n));
+    const Isometry3d X_BS = panda.linkPose(panda.clampToLimits(q), flange) * X_FS;
+    const Quaterniond turned(X_BS.linear());
+    recording.position.row(n) = X_BS.translation().transpose();
+    recording.quaternion.row(n) << turned.x(), turned.y(), turned.z(), turned.w();
+  }
+  const SceneTrack track(std::make_shared<const Recording>(recording), nullptr);
+  const auto arm = PosedArm::follow(track, recording.meta.mount, 0.0, 6.0, robot);
+  ASSERT_TRUE(arm.has_value());
+  for (const double time : {0.0, 1.234, 3.0, 5.9}) {
+    const Isometry3d X_BS = panda.linkPose(arm->jointsAt(time), flange) * X_FS;
+    EXPECT_LT((X_BS.translation() - track.sensorAt(time).translation()).norm(), 0.003) << time;
+  }
+  // Of an arm that stood elsewhere no picture is invented.
+  recording.position.col(0).array() += 2.0;
+  const SceneTrack away(std::make_shared<const Recording>(recording), nullptr);
+  EXPECT_FALSE(PosedArm::follow(away, recording.meta.mount, 0.0, 6.0, robot));
 }
 
 TEST(SceneTrack, OrientationOnlyTurnsInPlace) {

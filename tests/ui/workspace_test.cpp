@@ -64,6 +64,96 @@ TEST_F(WorkspaceTest, SeveralRecordingsAreOpenedAndTheLastIsShown) {
   EXPECT_EQ(workspace.opened()->path, files[1]);
 }
 
+TEST_F(WorkspaceTest, ARecordingIsClosedAndComesBackWithItsMarks) {
+  const QStringList files{writeSine(folder, "a.csv"), writeSine(folder, "b.csv"), writeSine(folder, "c.csv")};
+  open(files);
+  workspace.activate(1);
+  workspace.paint(2, 4, MarkLabel::ignore);
+  workspace.close(1);
+  EXPECT_EQ(workspace.session().recordings.size(), 2u);
+  EXPECT_EQ(workspace.opened()->path, files[2]) << "the next one is shown";
+  workspace.close(0);
+  EXPECT_EQ(workspace.opened()->path, files[2]) << "closing another one leaves the shown one";
+  EXPECT_TRUE(QFileInfo::exists(files[0])) << "the file stays";
+  workspace.undoStack()->undo();
+  workspace.undoStack()->undo();
+  ASSERT_EQ(workspace.session().recordings.size(), 3u);
+  EXPECT_EQ(workspace.opened()->path, files[1]);
+  EXPECT_EQ(marks().size(), 1u);
+  workspace.undoStack()->undo();
+  EXPECT_TRUE(marks().empty()) << "the mark of the recording that came back";
+  for (int k = 0; k < 3; ++k) workspace.close(0);
+  EXPECT_FALSE(workspace.opened());
+}
+
+TEST_F(WorkspaceTest, ANameOfARecordingIsKeptInTheSession) {
+  open({writeSine(folder, "a.csv")});
+  workspace.rename(0, "  gripper, first try ");
+  EXPECT_EQ(workspace.nameOf(0), "gripper, first try");
+  ASSERT_TRUE(workspace.save(folder.filePath("named.heft")));
+  Workspace other;
+  other.open(folder.filePath("named.heft"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !other.busy(); }, kPatience));
+  EXPECT_EQ(other.nameOf(0), "gripper, first try");
+  workspace.undoStack()->undo();
+  EXPECT_EQ(workspace.nameOf(0), "a.csv");
+  workspace.rename(0, "x");
+  workspace.rename(0, "");
+  EXPECT_EQ(workspace.nameOf(0), "a.csv");
+}
+
+TEST_F(WorkspaceTest, RecordingsOfOneToolGiveOneResult) {
+  SimulateOptions options;
+  options.duration = 6.0;
+  options.rateHz = 200.0;
+  Payload tool;
+  tool.mass = 0.8;
+  tool.com = {0.005, -0.01, 0.06};
+  tool.inertiaCom = Vector3d(0.0021, 0.0019, 0.0012).asDiagonal();
+  QStringList files;
+  const auto write = [&](const Payload& payload) {
+    options.seed = 11 + static_cast<std::uint64_t>(files.size());
+    files << folder.filePath(QStringLiteral("part%1.csv").arg(files.size()));
+    const auto made = simulate(RobotModel::panda(), payload, options);
+    ASSERT_TRUE(made.ok());
+    ASSERT_TRUE(writeRecording(made->recording, files.back().toStdString()).ok());
+  };
+  write(tool);
+  write(tool);
+  open(files);
+  ASSERT_TRUE(workspace.report());
+  const double alone = workspace.report()->std.mass;
+  workspace.setJoined(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy(); }, kPatience));
+  ASSERT_TRUE(workspace.reportAt(0) && workspace.reportAt(1));
+  EXPECT_DOUBLE_EQ(workspace.reportAt(0)->payload.mass, workspace.reportAt(1)->payload.mass);
+  EXPECT_LT(workspace.report()->std.mass, alone);
+  EXPECT_NEAR(workspace.report()->payload.mass, 0.8, 0.01);
+  const auto says = [&](int k, const char* code) {
+    const auto& findings = workspace.reportAt(k)->findings;
+    return std::any_of(findings.begin(), findings.end(), [&](const Finding& f) { return f.code == code; });
+  };
+  EXPECT_TRUE(says(0, "joined") && says(1, "joined"));
+  // A third of another tool is left out, and every recording says so.
+  tool.mass = 1.3;
+  write(tool);
+  open({files[2]});
+  EXPECT_TRUE(says(2, "not_joined"));
+  EXPECT_NEAR(workspace.reportAt(2)->payload.mass, 1.3, 0.02);
+  EXPECT_TRUE(says(0, "different_tool") && says(1, "different_tool"));
+  EXPECT_NEAR(workspace.reportAt(0)->payload.mass, 0.8, 0.01);
+  // Without it the others are joined still; each by itself again after undoing.
+  workspace.close(2);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy(); }, kPatience));
+  EXPECT_FALSE(says(0, "different_tool"));
+  workspace.undoStack()->undo();
+  workspace.undoStack()->undo();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy(); }, kPatience));
+  workspace.activate(0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy(); }, kPatience));
+  EXPECT_FALSE(says(0, "joined"));
+}
+
 TEST_F(WorkspaceTest, PaintingIsUndoneAndEstimatesAgain) {
   open({writeSine(folder, "a.csv")});
   const auto before = workspace.report();

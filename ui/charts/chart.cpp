@@ -113,6 +113,11 @@ ChartPlace drawChart(QPainter& p, const QRectF& area, const Chart& chart, const 
     y.low = std::min(y.low, y.log ? y.value(0.5 * chart.band) : -1.3 * chart.band);
     y.high = std::max(y.high, y.value(1.3 * chart.band));
   }
+  for (const QPointF& point : chart.floor)
+    if (point.y() > 0.0) {
+      y.low = std::min(y.low, y.value(0.5 * point.y()));
+      y.high = std::max(y.high, y.value(1.3 * point.y()));
+    }
   if (chart.yHigh > chart.yLow) {
     y.low = std::min(y.low, y.value(chart.yLow));
     y.high = std::max(y.high, y.value(chart.yHigh));
@@ -143,6 +148,15 @@ ChartPlace drawChart(QPainter& p, const QRectF& area, const Chart& chart, const 
   if (chart.band > 0.0) {
     const double bottom = y.log ? plot.bottom() : py(-chart.band);
     p.fillRect(QRectF(QPointF(plot.left(), py(chart.band)), QPointF(plot.right(), bottom)), t.noise);
+  }
+  if (chart.floor.size() > 1) {
+    QPolygonF under;
+    for (const QPointF& point : chart.floor) under << QPointF(px(point.x()), py(point.y()));
+    under << QPointF(under.back().x(), plot.bottom()) << QPointF(under.front().x(), plot.bottom());
+    p.setPen(Qt::NoPen);
+    p.setBrush(t.noise);
+    p.drawPolygon(under);
+    p.setBrush(Qt::NoBrush);
   }
   p.restore();
   p.setPen(QPen(t.plotGrid, 1));

@@ -24,8 +24,9 @@ struct ChartCurve {
 struct Chart {
   QString xTitle, yTitle;  ///< With units: "Time [s]"
   std::vector<ChartCurve> curves;
-  double band = 0.0;  ///< Half height of the noise band about zero; with logY: its level above the bottom.
-  QString xUnit;      ///< Behind the last tick, where there is no room for xTitle: "s"
+  double band = 0.0;            ///< Half height of the noise band about zero; with logY: its level above the bottom.
+  QVector<QPointF> floor = {};  ///< The same where the band is not level: its upper edge, left to right; logY
+  QString xUnit;                ///< Behind the last tick, where there is no room for xTitle: "s"
   bool logX = false, logY = false;
   double yLow = 0.0, yHigh = 0.0;  ///< Shown at least, so that several charts have one scale; alike: as the curves ask
   std::optional<QPointF> marker = {};  ///< One point with a ring round it

@@ -38,10 +38,17 @@ class RealityFindings : public QObject {
     std::vector<diagnosis::Witness> witnesses;
     std::optional<ReadingCurves> curves;  ///< Where the numbers do not mean what the meta file says
     std::string json;                     ///< heft.diagnose/1
-    std::vector<Mark> marks;  ///< That it was made with.
-    std::string guess;        ///< Of a practice recording
-    bool secret = false;      ///< Of a practice recording that is still to be guessed
+    std::vector<Mark> marks;              ///< That it was made with.
+    std::string guess;                    ///< Of a practice recording, when it was told what is hidden
+    std::string tried;                    ///< The first guess, if it was wrong
+    bool hinted = false;                  ///< A hint was asked for.
+    bool secret = false;                  ///< Of a practice recording that is still to be guessed
   };
+  /// Of the practice recordings since the program was started.
+  struct Score {
+    int asked = 0, first = 0, second = 0;  ///< Found at the first try without a hint, or at the second or with one
+  };
+  Score score;
   QMap<QString, Found> found;
 
   /// For the shown recording; null where nothing was looked for, or in another file of that name.

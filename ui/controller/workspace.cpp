@@ -10,13 +10,14 @@
 #include "core/workspace/marks.h"
 #include "ui/controller/diagnosis.h"
 #include "ui/controller/edit_command.h"
+#include "ui/controller/joined_estimate.h"
 #include "ui/controller/open_recording.h"
 
 namespace heft {
 namespace {
 
-constexpr int kEstimateDelay = 350;  ///< [ms] after the last edit
-enum EditKind { kMarks = 1, kShape, kSettings, kExport, kCorrections };
+constexpr int kEstimateDelay = 350;                                      ///< [ms] after the last edit
+enum EditKind { kMarks = 1, kShape, kSettings, kExport, kCorrections };  // Those of recording_list.cpp follow.
 
 bool isSession(const QString& path) {
   return path.endsWith(QLatin1String(kSessionExtension.data()), Qt::CaseInsensitive);
@@ -155,13 +156,16 @@ void Workspace::loaded(const QString& path, std::shared_ptr<const OpenRecording>
   std::size_t index = 0;
   while (index < session_.recordings.size() && session_.recordings[index].file != file) ++index;
   if (index == session_.recordings.size()) {
-    session_.recordings.push_back({file, {}, {}, {}, {}});
+    session_.recordings.push_back({file, {}, {}, {}, {}, {}});
     entries_.emplace_back();
     modified_ = true;
   }
   entries_[index] = {std::move(opened), nullptr};
+  if (joins())
+    for (Entry& entry : entries_) entry.outdated = true;
   // Of a session, the one that was shown is shown again; the first one meanwhile.
   if (showAfter_ < 0 || session_.active < 0) show(static_cast<int>(index));
+  emit recordingsChanged();
   emit sessionChanged();
 }
 
@@ -180,6 +184,7 @@ void Workspace::activate(int index) {
 }
 
 void Workspace::estimateSoon(int index) {
+  if (joins()) index = kAllRecordings;
   for (int k = 0; k < static_cast<int>(entries_.size()); ++k)
     if (index == kAllRecordings || k == index) {
       entries_[static_cast<std::size_t>(k)].outdated = true;
@@ -190,13 +195,14 @@ void Workspace::estimateSoon(int index) {
   emit busyChanged();
 }
 
-Snapshot Workspace::snapshot() const {
+Snapshot Workspace::snapshotOf(int index) const {
   Snapshot out;
-  out.opened = opened();
+  out.opened = openedAt(index);
   if (!out.opened) return out;
-  out.marks = session_.recordings[static_cast<std::size_t>(session_.active)].marks;
+  const SessionRecording& recording = session_.recordings[static_cast<std::size_t>(index)];
+  out.marks = recording.marks;
   out.options = estimateOptions(session_);
-  out.corrections = corrections();
+  out.corrections = recording.corrections;
   // Painting over a suggestion must not turn the rest of the recording into "not marked": what counts is whether the
   // file itself came with marks.
   out.options.segments = defaultSegmentMode(out.opened->recording);
@@ -237,35 +243,33 @@ void Workspace::estimate() {
   due_.stop();
   if (!opened() || loading_) return;  // After loading it is estimated anyway.
   lastFailure_.clear();
-  const Snapshot now = snapshot();
+  std::vector<Snapshot> of;
+  for (int k = 0; k < static_cast<int>(entries_.size()); ++k)
+    if (k == session_.active || (joins() && openedAt(k))) of.push_back(snapshotOf(k));
   jobs_.start(
-      tr("Estimating"),
-      [now](const Progress& progress) -> Result<std::shared_ptr<const EstimateReport>> {
-        auto result = now.estimated(progress);
-        if (!result) return result.error();
-        // Findings of reading concern the result as much as those of estimating.
-        auto report = std::make_shared<EstimateReport>(std::move(result).value());
-        report->timing.read = now.opened->readSeconds;
-        report->findings.insert(report->findings.begin(), now.opened->findings.begin(), now.opened->findings.end());
-        return std::shared_ptr<const EstimateReport>(std::move(report));
-      },
-      [this, now](Result<std::shared_ptr<const EstimateReport>> result) {
-        for (std::size_t k = 0; k < entries_.size(); ++k) {
-          if (entries_[k].opened != now.opened) continue;
-          entries_[k].failed = !result && !result.error().cancelled;
-          if (result) {
-            entries_[k].report = *result;
-            entries_[k].outdated = false;
-            session_.recordings[k].result = toJson(**result).dump();
-          } else if (!result.error().cancelled) {
-            // The earlier numbers were of other marks or another shape.
-            entries_[k].report.reset();
-          }
-        }
+      tr("Estimating"), [of](const Progress& progress) { return estimateTogether(of, progress); },
+      [this, of](const Result<SharedReports>& result) {
+        takeReports(of, result);
         if (!result) fail(result.error());
         emit reportChanged();
         emit sessionChanged();
       });
+}
+
+void Workspace::takeReports(const std::vector<Snapshot>& of, const Result<SharedReports>& result) {
+  for (std::size_t i = 0; i < of.size(); ++i)
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+      if (entries_[k].opened != of[i].opened) continue;
+      entries_[k].failed = !result && !result.error().cancelled;
+      if (result) {
+        entries_[k].report = (*result)[i];
+        entries_[k].outdated = false;
+        session_.recordings[k].result = toJson(*entries_[k].report).dump();
+      } else if (!result.error().cancelled) {
+        // The earlier numbers were of other marks or another shape.
+        entries_[k].report.reset();
+      }
+    }
 }
 
 void Workspace::cancel() {

@@ -50,6 +50,9 @@ struct Snapshot {
   const RobotModel* robot() const { return opened->robot.get(); }
 };
 
+/// One a recording.
+using SharedReports = std::vector<std::shared_ptr<const EstimateReport>>;
+
 class Workspace : public QObject {
   Q_OBJECT
  public:
@@ -65,6 +68,16 @@ class Workspace : public QObject {
   void startAfresh();
   /// Shows another recording of the session.
   void activate(int index);
+  /// What the list calls a recording: the user's name, else the file's.
+  QString nameOf(int index) const;
+  /// An empty name gives it the file's again.
+  void rename(int index, const QString& name);
+  /// Takes a recording out of the session; its file stays. Undo brings it back.
+  void close(int index);
+  /// Whether all recordings are of one tool and give one result.
+  void setJoined(bool joined);
+  /// They do, and there are two at least.
+  bool joins() const;
   /// Estimates the shown recording in a job.
   void estimate();
   void cancel();
@@ -86,7 +99,7 @@ class Workspace : public QObject {
   std::shared_ptr<const EstimateReport> reportAt(int index) const;
   /// The report is of an earlier state: a new estimate is due or under way.
   bool outdated() const { return active() && active()->outdated; }
-  Snapshot snapshot() const;
+  Snapshot snapshot() const { return snapshotOf(session_.active); }
   /// The report's segments, painted marks laid over them at once.
   std::vector<Segment> segments() const;
   /// Heft proposes this stretch and the user has not decided it yet.
@@ -115,6 +128,8 @@ class Workspace : public QObject {
   void setStep(const QString& id);
 
  signals:
+  /// Another recording is in the list or is gone from it, has another name, or all give one result now.
+  void recordingsChanged();
   /// Another recording is shown, or none.
   void openedChanged();
   /// The report is null while there is none for the open recording.
@@ -149,6 +164,14 @@ class Workspace : public QObject {
   void fail(const Error& error);
   const Entry* active() const;
   void show(int index);
+  Snapshot snapshotOf(int index) const;
+  /// Takes over what a job estimated, in the order of `of`.
+  void takeReports(const std::vector<Snapshot>& of, const Result<SharedReports>& result);
+  /// Puts a recording into the list, or takes it out; the shown one stays shown where that is possible.
+  void insertEntry(int index, const SessionRecording& recording, const Entry& entry);
+  void removeEntry(int index);
+  /// Tells of the list and estimates what that makes new: where all give one result, it is another one now.
+  void listEdited();
 
   /// One undoable change of a part of the session.
   template <class T>

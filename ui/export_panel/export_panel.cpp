@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
+#include <QDesktopServices>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -12,6 +13,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include "core/base/json_file.h"
@@ -382,7 +384,8 @@ void ExportPanel::save() {
   if (!saved) {
     parts().say(Severity::error, QString::fromStdString(saved.error().message));
   } else {
-    parts().say(Severity::info, tr("Saved %1.").arg(path));
+    parts().offer(Severity::info, tr("Saved %1.").arg(path), tr("Show in folder"),
+                  [path] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absolutePath())); });
   }
 }
 

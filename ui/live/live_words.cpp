@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/models/numbers.h"
+#include "ui/models/units.h"
 
 namespace heft {
 namespace {
@@ -146,8 +147,7 @@ std::vector<KnownText> knownTexts(const OnlineState& state) {
       text.words = k == 2 ? Words::tr("Not yet, needs faster turns") : Words::tr("Not yet, needs more tilt");
     }
     // Whoever guides wants to see the number settle, not only how sure it is.
-    if (k == 0 && text.light != Light::unknown)
-      text.name = Words::tr("%1 %2 kg").arg(text.name, numberText(state.payload.mass, 3));
+    if (k == 0 && text.light != Light::unknown) text.name += QChar(' ') + massText(state.payload.mass, 3);
     if (state.estimated && std::isfinite(halfWidths[k])) text.size = sizeOf(goals[k], halfWidths[k]);
     out.push_back(text);
   }

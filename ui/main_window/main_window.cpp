@@ -30,6 +30,7 @@
 #include "ui/main_window/preferences.h"
 #include "ui/main_window/status_bar.h"
 #include "ui/main_window/tab_way.h"
+#include "ui/main_window/tour.h"
 #include "ui/manual/manual.h"
 #include "ui/models/numbers.h"
 #include "ui/robot_view/robot_view.h"
@@ -89,6 +90,9 @@ void MainWindow::assemble() {
   column->addWidget(steps_);
   message_ = new MessageBar(window);
   column->addWidget(message_);
+  tour_ = new Tour(window);
+  column->addWidget(tour_);
+  connect(tour_, &Tour::stepWanted, this, &MainWindow::showStep);
 
   across_ = new QSplitter(Qt::Horizontal, window);
   down_ = new QSplitter(Qt::Vertical, across_);
@@ -115,7 +119,7 @@ void MainWindow::assemble() {
 }
 
 bool MainWindow::focusNextPrevChild(bool next) {
-  const QVector<QWidget*> way = tabWay(*this, {header_, steps_, message_, view_, below_, panelStack_});
+  const QVector<QWidget*> way = tabWay(*this, {header_, steps_, message_, tour_, view_, below_, panelStack_});
   if (way.isEmpty()) return QMainWindow::focusNextPrevChild(next);
   const int at = way.indexOf(QApplication::focusWidget()), count = way.size();
   const int to = at < 0 ? (next ? 0 : count - 1) : (at + (next ? 1 : count - 1)) % count;
@@ -127,7 +131,7 @@ bool MainWindow::focusNextPrevChild(bool next) {
 
 /// The next of the window's parts that takes the keyboard, as in other programs.
 void MainWindow::focusNextPart(int by) {
-  const QVector<QWidget*> parts{header_, steps_, message_, view_, below_, panelStack_};
+  const QVector<QWidget*> parts{header_, steps_, message_, tour_, view_, below_, panelStack_};
   const int count = static_cast<int>(parts.size());
   int at = 0;
   for (int k = 0; k < count; ++k)
@@ -160,6 +164,7 @@ void MainWindow::addPanels(const StudioMenus& menus) {
   parts.editRig = [this] { files_->editRig(); };
   parts.savePicture = [this](const QImage& image, const QString& what) { files_->savePicture(image, what); };
   parts.asks = remembers_;
+  parts.startTour = [this] { startTour(); };
   parts.chooseFiles = [this] { files_->choose(); };
   parts.recentFiles = [this] { return files_->recent(); };
   parts.followJobs = [this](JobRunner* runner) {
@@ -200,6 +205,8 @@ void MainWindow::connectParts() {
   connect(files_, &Files::said, this,
           [this](Severity severity, const QString& sentence) { message_->showMessage(severity, sentence); });
   connect(workspace_, &Workspace::openedChanged, this, &MainWindow::showOpened);
+  connect(workspace_, &Workspace::recordingsChanged, this, &MainWindow::showName);
+  connect(workspace_, &Workspace::recordingsChanged, this, &MainWindow::showFacts);
   connect(workspace_, &Workspace::reportChanged, this, &MainWindow::showReport);
   connect(workspace_, &Workspace::marksChanged, this, &MainWindow::showMarks);
   connect(workspace_, &Workspace::failed, this, [this](const QString& sentence) {
@@ -244,8 +251,9 @@ void MainWindow::loadArm() {
         return pandaLook(findings, progress);
       },
       [this](Result<std::shared_ptr<const RobotLook>> look) {
-        // A recording that was opened meanwhile has brought its own arm.
-        if (look && !workspace_->opened())
+        // A recording that was opened meanwhile may have brought its own arm; the view keeps this one for those
+        // without.
+        if (look)
           view_->showRobot(std::shared_ptr<const RobotModel>(std::shared_ptr<void>(), &RobotModel::panda()), *look);
       });
 }
@@ -262,6 +270,7 @@ void MainWindow::showStep(Step step) {
   workspace_->setStep(QString::fromUtf8(stepId(step).data()));
   panelStack_->setCurrentWidget(panel);
   steps_->setNow(step);
+  tour_->setStep(step);
   arrangeFor(panel);
   status_->setHint(panel->hint());
   panel->entered();
@@ -291,7 +300,7 @@ void MainWindow::showAlone(Alone what) {
 
 void MainWindow::editPreferences() {
   QList<QPair<QString, QString>> languages;
-  Preferences::Choice now{{}, theme().dark ? ThemeKind::dark : ThemeKind::light, recordedFolder()};
+  Preferences::Choice now{{}, theme().dark ? ThemeKind::dark : ThemeKind::light, recordedFolder(), units()};
   for (const QAction* action : languages_->actions()) {
     languages << qMakePair(action->data().toString(), action->text());
     if (action->isChecked()) now.language = action->data().toString();
@@ -304,7 +313,8 @@ void MainWindow::editPreferences() {
     if (remembers_) QSettings().setValue("files/recordings", wanted.folder);
   }
   if (wanted.theme != now.theme) emit themeWanted(wanted.theme);
-  // Another language is another window: this one has to be done first.
+  // Other units or another language are another window: this one has to be done first.
+  if (wanted.units != now.units) QTimer::singleShot(0, this, [this, units = wanted.units] { emit unitsWanted(units); });
   if (wanted.language != now.language)
     QTimer::singleShot(0, this, [this, code = wanted.language] { emit languageWanted(code); });
 }
@@ -413,14 +423,13 @@ void MainWindow::showOpened() {
   if (!opened) return showNothing();
   const Recording& recording = opened->recording;
   const std::shared_ptr<const Recording> shared(opened, &recording);
-  header_->setFileName(QFileInfo(opened->path).fileName(), opened->path);
-  setWindowTitle(tr("%1 – Heft Studio").arg(QFileInfo(opened->path).fileName()));
+  showName();
   view_->showRecording(shared, opened->robot, opened->look);
   pane_->setRecording(shared, workspace_->report(), opened->robot);
   rate_ = shared->rateHz();
   showFacts();
   files_->remember(opened->path);
-  if (step_ == Step::record) {
+  if (step_ == Step::record && !tour_->running()) {
     // A session comes back where it was left.
     const auto kept = stepFromId(workspace_->session().step);
     showStep(kept && *kept != Step::record && panels_.contains(*kept) ? *kept : Step::result);
@@ -428,6 +437,19 @@ void MainWindow::showOpened() {
     arrangeFor(panels_[step_]);
   }
   showEstimated();
+}
+
+void MainWindow::showName() {
+  const auto opened = workspace_->opened();
+  const QString name = opened ? workspace_->nameOf(workspace_->session().active) : QString();
+  header_->setFileName(name, opened ? opened->path : QString());
+  setWindowTitle(opened ? tr("%1 – Heft Studio").arg(name) : tr("Heft Studio"));
+}
+
+void MainWindow::startTour() {
+  tour_->begin();
+  showStep(Step::record);
+  if (StepPanel* record = panel(Step::record)) record->obey({"sample", "hose"});
 }
 
 void MainWindow::showFacts() {
@@ -439,7 +461,7 @@ void MainWindow::showFacts() {
   if (!facts.isEmpty()) return status_->setFacts(facts.join(QStringLiteral(" · ")));
   if (opened) {
     const Recording& recording = opened->recording;
-    facts << QFileInfo(opened->path).fileName();
+    facts << workspace_->nameOf(workspace_->session().active);
     if (recording.meta.kind == RecordingKind::poses) {
       facts << tr("%1 standing poses").arg(recording.rows());
     } else {
@@ -453,8 +475,7 @@ void MainWindow::showFacts() {
 }
 
 void MainWindow::showNothing() {
-  header_->setFileName({}, {});
-  setWindowTitle(tr("Heft Studio"));
+  showName();
   showFacts();
   pane_->setRecording(nullptr, nullptr);
   view_->showNothing();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/jobs/job_runner.h"
+#include "ui/models/units.h"
 #include "ui/robot_view/robot_look.h"
 #include "ui/steps/step_panel.h"
 #include "ui/theme/theme.h"
@@ -26,6 +27,7 @@ class RecordingPane;
 class RobotView;
 class StatusBar;
 class StepBar;
+class Tour;
 class Workspace;
 
 class MainWindow : public QMainWindow {
@@ -64,6 +66,8 @@ class MainWindow : public QMainWindow {
   /// Also the engineer's numbers.
   void showDetails(bool shown);
   bool detailsShown() const { return details_; }
+  /// Opens a sample and leads through the steps with it.
+  void startTour();
   /// One pane beside header and steps, without the rest; nothing: all of them again.
   enum class Alone { nothing, view, below };
   void showAlone(Alone what);
@@ -74,6 +78,7 @@ class MainWindow : public QMainWindow {
  signals:
   void themeWanted(heft::ThemeKind kind);
   void languageWanted(const QString& code);
+  void unitsWanted(const heft::UnitChoice& units);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -94,6 +99,7 @@ class MainWindow : public QMainWindow {
   void showEstimated();
   void showMarks();
   void showSaved();
+  void showName();
   void showFacts();
   void offerUnfinished();
   void loadArm();
@@ -117,6 +123,7 @@ class MainWindow : public QMainWindow {
   HeaderBar* header_ = nullptr;
   StepBar* steps_ = nullptr;
   MessageBar* message_ = nullptr;
+  Tour* tour_ = nullptr;
   RobotView* view_ = nullptr;
   RecordingPane* pane_ = nullptr;
   StatusBar* status_ = nullptr;

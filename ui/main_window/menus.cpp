@@ -124,6 +124,7 @@ void MenuBuilder::buildTools(QMenu* menu) {
 void MenuBuilder::buildHelp(QMenu* menu) {
   menu->addAction(tr("&Manual"), w_, [w = w_] { w->showManual(!w->manualShown()); })
       ->setShortcut(QKeySequence(Qt::Key_F1));
+  menu->addAction(tr("&Tour with a sample"), w_, &MainWindow::startTour)->setObjectName("startTour");
   menu->addSeparator();
   QAction* about = menu->addAction(tr("&About Heft Studio"), w_, [w = w_] {
     QMessageBox box(w);

@@ -69,14 +69,30 @@ Preferences::Preferences(const Choice& now, const QList<QPair<QString, QString>>
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Recordings folder"), folder_->text());
     if (!folder.isEmpty()) folder_->setText(folder);
   });
+  const auto addUnit = [&](const QString& label, const char* name, const QStringList& names, bool second) {
+    auto* choice = new QComboBox(this);
+    choice->setObjectName(name);
+    choice->addItems(names);
+    choice->setCurrentIndex(second ? 1 : 0);
+    form->addRow(label, choice);
+    return choice;
+  };
+  mass_ = addUnit(tr("&Masses in"), "preferredMass", {QStringLiteral("kg"), QStringLiteral("g")}, now.units.grams);
+  length_ = addUnit(tr("L&engths in"), "preferredLength", {QStringLiteral("mm"), tr("inch")}, now.units.inches);
+  torque_ = addUnit(tr("T&orques in"), "preferredTorque", {QStringLiteral("N m"), QStringLiteral("N mm")},
+                    now.units.newtonMillimetres);
+  angle_ = addUnit(tr("&Angles in"), "preferredAngle", {tr("degrees"), tr("radians")}, now.units.radians);
   column->addLayout(form);
+  column->addWidget(wrappedLabel(tr("For the result and the plots. Files keep the units of their format, and lengths "
+                                    "that you enter are in mm."),
+                                 "caption", this));
   column->addWidget(styledLabel(tr("Keyboard shortcuts"), "sectionTitle", this));
   column->addWidget(makeKeys(bar), 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   column->addWidget(buttons);
-  resize(560, 560);
+  resize(560, 640);
 }
 
 QWidget* Preferences::makeKeys(const QMenuBar* bar) {
@@ -105,8 +121,11 @@ QWidget* Preferences::makeKeys(const QMenuBar* bar) {
 }
 
 Preferences::Choice Preferences::choice() const {
-  return {language_->currentData().toString(), theme_->currentIndex() == 1 ? ThemeKind::dark : ThemeKind::light,
-          QDir::cleanPath(folder_->text().trimmed())};
+  return {language_->currentData().toString(),
+          theme_->currentIndex() == 1 ? ThemeKind::dark : ThemeKind::light,
+          QDir::cleanPath(folder_->text().trimmed()),
+          {mass_->currentIndex() == 1, length_->currentIndex() == 1, torque_->currentIndex() == 1,
+           angle_->currentIndex() == 1}};
 }
 
 }  // namespace heft

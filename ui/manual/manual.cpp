@@ -27,7 +27,9 @@ class Browser : public QTextBrowser {
     if (name.scheme() != QLatin1String("live")) return QTextBrowser::loadResource(type, name);
     const QImage image = pictureOf_(name.path());
     if (image.isNull()) return QImage(1, 1, QImage::Format_ARGB32);
-    const int width = std::max(200, viewport()->width() - 28);
+    // Text comes first: a picture of a panel is there to be recognised, only the bar of steps is read from it.
+    const int room = viewport()->width() - 28;
+    const int width = std::max(200, name.path() == QLatin1String("steps") ? room : room / 2);
     const double ratio = std::max(1.0, devicePixelRatioF());
     QImage scaled = image.scaledToWidth(static_cast<int>(width * ratio), Qt::SmoothTransformation);
     scaled.setDevicePixelRatio(ratio);

@@ -1,11 +1,13 @@
 #include "ui/models/result_text.h"
 
+#include <Eigen/Eigenvalues>
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/doubts.h"
 #include "ui/models/numbers.h"
+#include "ui/models/units.h"
 
 namespace heft {
 namespace {
@@ -50,12 +52,13 @@ MassScale massScale(const EstimateReport& report, const std::optional<double>& s
   const double lowest = std::max(0.0, std::floor((report.payload.mass - reach) / step) * step);
   const double highest = std::ceil((report.payload.mass + reach) / step) * step;
   const auto share = [&](double mass) { return std::clamp((mass - lowest) / (highest - lowest), 0.0, 1.0); };
-  const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(step))), 0, 4);
+  const ShownUnit unit = massUnit();
+  const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(unit.scale * step))), 0, 4);
   scale.value = share(report.payload.mass);
   scale.from = share(interval.lower);
   scale.to = share(interval.upper);
-  scale.lowest = numberText(lowest, decimals);
-  scale.highest = numberText(highest, decimals) + QStringLiteral(" kg");
+  scale.lowest = numberText(unit.scale * lowest, decimals);
+  scale.highest = numberText(unit.scale * highest, decimals) + QChar(' ') + unit.name;
   if (stated) scale.stated = share(*stated);
   return scale;
 }
@@ -139,6 +142,53 @@ QString adviceText(const EstimateReport& report) {
   return {};
 }
 
+/// Root mean square of measured − simulated per channel over the free parts [N], [N m]; NaN without any.
+Vector6d channelRms(const EstimateReport& r) {
+  Vector6d sum = Vector6d::Zero();
+  Eigen::Index count = 0;
+  auto segment = r.segments.begin();
+  for (Eigen::Index n = 0; n < std::min(r.series.simulated.rows(), r.series.time.size()); ++n) {
+    while (segment != r.segments.end() && segment->to < r.series.time(n)) ++segment;
+    if (segment == r.segments.end()) break;
+    if (segment->label != MarkLabel::free || segment->from > r.series.time(n)) continue;
+    sum += (r.series.measured.row(n) - r.series.simulated.row(n)).transpose().cwiseAbs2();
+    ++count;
+  }
+  return (sum / static_cast<double>(count)).cwiseSqrt();
+}
+
+/// Principal moments about the centre of mass, each with its axis in S; nothing where the inertia is not known.
+void addPrincipalAxes(const EstimateReport& r, std::vector<DetailText>& rows) {
+  if (!r.payload.inertiaCom.allFinite() || r.payload.inertiaCom.isZero()) return;
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(r.payload.inertiaCom);
+  QStringList lines;
+  for (int k = 2; k >= 0; --k) {
+    const Vector3d axis = solver.eigenvectors().col(k);
+    // One of the two directions, so that it does not flip from one estimate to the next.
+    Eigen::Index largest = 0;
+    axis.cwiseAbs().maxCoeff(&largest);
+    const Vector3d shown = axis(largest) < 0 ? Vector3d(-axis) : axis;
+    lines << ResultWords::tr("%1 kg cm² about (%2, %3, %4)")
+                 .arg(numberText(1e4 * solver.eigenvalues()(k), 2), numberText(shown.x(), 2), numberText(shown.y(), 2),
+                      numberText(shown.z(), 2));
+  }
+  rows.push_back({ResultWords::tr("Principal moments"), lines.join('\n'),
+                  ResultWords::tr("Moments about the centre of mass that have no products, and their axes in the "
+                                  "sensor’s frame")});
+}
+
+/// What the motion told and what it did not: the ten directions, the best known first.
+void addDirections(const EstimateReport& r, std::vector<DetailText>& rows) {
+  if (r.identifiability.directions.empty()) return;
+  QStringList lines;
+  for (const auto& direction : r.identifiability.directions)
+    lines << ResultWords::tr("%1 %, %2")
+                 .arg(numberText(100 * direction.dataShare, 0), QString::fromStdString(direction.about));
+  rows.push_back({ResultWords::tr("Told by the motion"), lines.join('\n'),
+                  ResultWords::tr("Ten independent directions among the parameters, and the share of the data in each; "
+                                  "the rest comes from what was assumed")});
+}
+
 std::vector<DetailText> detailTexts(const EstimateReport& r) {
   std::vector<DetailText> rows;
   const auto add = [&](const QString& name, const QString& value, const QString& tip) {
@@ -158,21 +208,38 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
       ResultWords::tr("Free parts without the ends that were trimmed"));
   add(ResultWords::tr("Left over, force"), ResultWords::tr("%1 N").arg(numberText(r.forceRms, 3)),
       ResultWords::tr("Root mean square of the difference, free parts"));
-  add(ResultWords::tr("Left over, torque"), ResultWords::tr("%1 N m").arg(numberText(r.torqueRms, 4)),
+  const ShownUnit torque = torqueUnit();
+  const auto torqueText = [&](double newtonMetres, int decimals) {
+    return numberText(torque.scale * newtonMetres, decimals + torque.decimals);
+  };
+  add(ResultWords::tr("Left over, torque"), QStringLiteral("%1 %2").arg(torqueText(r.torqueRms, 4), torque.name),
       ResultWords::tr("Root mean square of the difference, free parts"));
+  if (const Vector6d rms = channelRms(r); rms.allFinite()) {
+    add(ResultWords::tr("By channel, force"),
+        ResultWords::tr("%1 N, scatter %2").arg(triple(rms.head<3>(), 3), triple(r.noiseStd.head<3>(), 3)),
+        ResultWords::tr("Root mean square x, y, z of the difference, and the sensor’s own scatter"));
+    const auto three = [&](const Vector3d& v) { return triple(torque.scale * v, 4 + torque.decimals); };
+    add(ResultWords::tr("By channel, torque"),
+        ResultWords::tr("%1 %2, scatter %3").arg(three(rms.tail<3>()), torque.name, three(r.noiseStd.tail<3>())),
+        ResultWords::tr("Root mean square x, y, z of the difference, and the sensor’s own scatter"));
+  }
   if (r.heldoutForceRms > 0) {
     add(ResultWords::tr("On unseen parts"),
-        ResultWords::tr("%1 N, %2 N m").arg(numberText(r.heldoutForceRms, 3), numberText(r.heldoutTorqueRms, 4)),
+        QStringLiteral("%1 N, %2 %3")
+            .arg(numberText(r.heldoutForceRms, 3), torqueText(r.heldoutTorqueRms, 4), torque.name),
         ResultWords::tr("The same on parts that the estimate did not see"));
   }
   add(ResultWords::tr("Sensor zero, force"), ResultWords::tr("%1 N").arg(triple(r.forceBias, 2)),
       ResultWords::tr("Constant offset x, y, z of the sensor"));
-  add(ResultWords::tr("Sensor zero, torque"), ResultWords::tr("%1 N m").arg(triple(r.torqueBias, 3)),
+  add(ResultWords::tr("Sensor zero, torque"),
+      QStringLiteral("%1 %2").arg(triple(torque.scale * r.torqueBias, 3 + torque.decimals), torque.name),
       ResultWords::tr("Constant offset x, y, z of the sensor"));
   if (r.identifiability.conditionNumber > 0) {
     add(ResultWords::tr("Condition number"), numberText(r.identifiability.conditionNumber, 0),
         ResultWords::tr("Of the scaled, whitened regressor: how unevenly the motion tells the ten parameters"));
   }
+  addDirections(r, rows);
+  addPrincipalAxes(r, rows);
   if (r.relativeError) {
     QStringList errors;
     if (r.relativeError->hasMass)
@@ -219,8 +286,9 @@ std::vector<ShareText> shareTexts(const EstimateReport& report) {
                                  : ResultWords::tr("%1 % your shape").arg(percent),
                     lines.join('\n'), pulled});
   };
-  add(ResultWords::tr("Mass"), report.identifiability.massShare, 0, 1, 1.0, ResultWords::tr("kg"));
-  add(ResultWords::tr("Centre"), report.identifiability.comShare, 1, 3, 1e3, ResultWords::tr("mm"));
+  const ShownUnit mass = massUnit(), length = lengthUnit();
+  add(ResultWords::tr("Mass"), report.identifiability.massShare, 0, 1, mass.scale, mass.name);
+  add(ResultWords::tr("Centre"), report.identifiability.comShare, 1, 3, length.scale, length.name);
   add(ResultWords::tr("Inertia"), report.identifiability.inertiaShare, 4, 6, 1e4, ResultWords::tr("kg cm²"));
   return rows;
 }
@@ -239,14 +307,16 @@ std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPa
   std::vector<DetailText> rows;
   if (known.mass && *known.mass > 0) {
     rows.push_back({ResultWords::tr("Mass"),
-                    ResultWords::tr("%1 kg known, %2 % away")
-                        .arg(numberText(*known.mass, 3),
+                    ResultWords::tr("%1 known, %2 % away")
+                        .arg(massText(*known.mass, 3),
                              numberText(100 * std::abs(report.payload.mass - *known.mass) / *known.mass, 2)),
                     ResultWords::tr("|estimate − known| / known")});
   }
   if (known.com) {
     const double away = (report.payload.com - *known.com).norm();
-    QString value = ResultWords::tr("%1 mm away").arg(numberText(1e3 * away, 1));
+    const ShownUnit length = lengthUnit();
+    QString value =
+        ResultWords::tr("%1 %2 away").arg(numberText(length.scale * away, 1 + length.decimals), length.name);
     if (known.com->norm() > 0) value += ResultWords::tr(" (%1 %)").arg(numberText(100 * away / known.com->norm(), 1));
     rows.push_back({ResultWords::tr("Centre of mass"), value,
                     ResultWords::tr("|estimate − known|, and by the length of the known")});
@@ -310,29 +380,31 @@ ResultText describeResult(const EstimateReport& report, const KnownPayload& know
   const auto& id = report.identifiability;
   const auto& interval = report.interval95;
 
-  out.mass = number(ResultWords::tr("Mass"), report.payload.mass, interval.mass, 1.0, 4, ResultWords::tr("kg"), id.mass,
-                    ResultWords::tr("Mass of the tool"));
-  out.mass.plusMinus += ResultWords::tr(" kg");
+  const ShownUnit mass = massUnit(), length = lengthUnit();
+  out.mass = number(ResultWords::tr("Mass"), report.payload.mass, interval.mass, mass.scale, 4 + mass.decimals,
+                    mass.name, id.mass, ResultWords::tr("Mass of the tool"));
+  out.mass.plusMinus += QChar(' ') + mass.name;
   out.massScale = massScale(report, stated.mass);
   if (stated.mass && *stated.mass > 0) {
     const double away = 100.0 * std::abs(report.payload.mass - *stated.mass) / *stated.mass;
-    out.massNote = (known.byUser ? ResultWords::tr("you stated %1 kg, %2 % away")
-                                 : ResultWords::tr("the recording says %1 kg, %2 % away"))
-                       .arg(numberText(*stated.mass, 3), numberText(away, 1));
+    out.massNote = (known.byUser ? ResultWords::tr("you stated %1, %2 % away")
+                                 : ResultWords::tr("the recording says %1, %2 % away"))
+                       .arg(massText(*stated.mass, 3), numberText(away, 1));
   }
 
   double comAway = -1.0;
-  if (stated.com) comAway = 1e3 * (report.payload.com - *stated.com).norm();
+  if (stated.com) comAway = length.scale * (report.payload.com - *stated.com).norm();
   for (int i = 0; i < 3; ++i) {
-    out.com.push_back(number(
-        QString(QChar("xyz"[i])), report.payload.com(i), interval.com[i], 1e3, 1, ResultWords::tr("mm"), id.com[i],
-        ResultWords::tr("Centre of mass from the sensor's origin along its axis %1").arg(QChar("xyz"[i]))));
-    out.com.back().plusMinus += ResultWords::tr(" mm");
+    out.com.push_back(
+        number(QString(QChar("xyz"[i])), report.payload.com(i), interval.com[i], length.scale, 1 + length.decimals,
+               length.name, id.com[i],
+               ResultWords::tr("Centre of mass from the sensor's origin along its axis %1").arg(QChar("xyz"[i]))));
+    out.com.back().plusMinus += QChar(' ') + length.name;
   }
   if (comAway >= 0)
-    out.comNote = (known.byUser ? ResultWords::tr("%1 mm from the centre you stated")
-                                : ResultWords::tr("%1 mm from the centre that the recording states"))
-                      .arg(numberText(comAway, 1));
+    out.comNote = (known.byUser ? ResultWords::tr("%1 %2 from the centre you stated")
+                                : ResultWords::tr("%1 %2 from the centre that the recording states"))
+                      .arg(numberText(comAway, 1 + length.decimals), length.name);
 
   // Small tools read better in g cm² than as 0.02 kg cm².
   const double largest = report.payload.inertiaCom.diagonal().cwiseAbs().maxCoeff();
@@ -346,15 +418,21 @@ ResultText describeResult(const EstimateReport& report, const KnownPayload& know
                                     : ResultWords::tr("%1 % from the inertia that the recording states"))
                           .arg(numberText(100 * report.relativeError->inertiaCom, 1));
   const double half = 0.5 * (interval.mass.upper - interval.mass.lower);
+  const int roughly = units().grams ? 3 : std::min(2, decimalsFor(half, 2));
+  QString weight = massText(report.payload.mass, roughly);
   out.question = id.mass == Source::none ? ResultWords::tr("This motion does not tell the mass.")
-                                         : ResultWords::tr("Your tool weighs %1 kg.")
-                                               .arg(numberText(report.payload.mass, std::min(2, decimalsFor(half, 2))));
+                                         : ResultWords::tr("Your tool weighs %1.").arg(weight);
   out.answer = answerText(id.mass, comSource, inertiaSource);
   out.advice = adviceText(report);
   out.shares = shareTexts(report);
   out.known = knownTexts(report, stated);
 
+  QString joined;
   for (const Finding& finding : report.findings) {
+    if (finding.code == "joined") {  // Belongs to the numbers, not below them.
+      joined = QString::fromStdString(finding.text);
+      continue;
+    }
     // Already said as advice.
     if (finding.code == "weak_direction" && capitalised(QString::fromStdString(finding.text)) == out.advice) continue;
     FindingText said;
@@ -383,11 +461,11 @@ ResultText describeResult(const EstimateReport& report, const KnownPayload& know
          open.change.isEmpty() ? QString() : ResultWords::tr("With it: %1.").arg(open.change), true, false,
          FindingText::Leads::realityCheck});
   if ((out.doubtful || massMoves) && id.mass != Source::none)
-    out.question = ResultWords::tr("Your tool seems to weigh %1 kg.")
-                       .arg(numberText(report.payload.mass, std::min(2, decimalsFor(half, 2))))
-                       .replace(QStringLiteral(" kg"), QStringLiteral("\u00a0kg"));  // Not alone on the next line.
+    out.question = ResultWords::tr("Your tool seems to weigh %1.")
+                       .arg(weight.replace(' ', QChar(0xA0)));  // The unit does not stand alone on the next line.
   if (out.doubtful || open.moved.maxCoeff() > kOutside)
     out.answer = ResultWords::tr("Check the warnings first: these numbers may be off by more than they say.");
+  if (!joined.isEmpty()) out.answer += QChar(' ') + joined;
   std::stable_sort(out.findings.begin(), out.findings.end(), [](const FindingText& a, const FindingText& b) {
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);
   });

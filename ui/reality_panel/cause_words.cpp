@@ -40,6 +40,19 @@ QString parameterTitle(const CauseParameter& parameter) { return typeset(paramet
 QString parameterText(const CauseParameter& parameter) { return typeset(parameterWords(parameter)); }
 QString goesWithText(const diagnosis::Correlate& goesWith) { return typeset(goesWith.words()); }
 
+bool isNoiseOnly(const DiagnosisReport* report) {
+  return report && (report->verdict == Verdict::clean || report->verdict == Verdict::explained);
+}
+
+void addNoise(Chart& chart, const DiagnosisReport& report, const diagnosis::Spectrum& spectrum, bool torque) {
+  if (!isNoiseOnly(&report) || spectrum.frequency.size() == 0) {
+    chart.band = spectrum.floor;
+    return;
+  }
+  const VectorXd level = diagnosis::noiseLevel(report.series, torque, spectrum.frequency);
+  for (Eigen::Index k = 0; k < level.size(); ++k) chart.floor.push_back({spectrum.frequency(k), level(k)});
+}
+
 std::string causeMotion(const std::string& id) { return std::string(diagnosis::infoOf(id).decidingMotion); }
 
 QStringList couldNotBeSeen(const DiagnosisReport& report, int most) {

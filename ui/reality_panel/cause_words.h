@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <string>
 
+#include "ui/charts/chart.h"
 #include "ui/controller/diagnosis.h"
 
 namespace heft {
@@ -18,6 +19,10 @@ QString decidesOf(const std::string& id);
 QString looksOf(const std::string& id);
 /// The coach's motion that comes next to that which decides; empty where none does.
 std::string causeMotion(const std::string& id);
+/// Whether nothing but noise is left with the causes that were found.
+bool isNoiseOnly(const DiagnosisReport* report);
+/// The noise under a spectrum: what the verdict judged by where only that is left, else the level at high frequencies.
+void addNoise(Chart& chart, const DiagnosisReport& report, const diagnosis::Spectrum& spectrum, bool torque);
 QString goesWithText(const diagnosis::Correlate& goesWith);
 /// "2.60 ± 0.10 N/m", in the unit of the parameter.
 QString parameterTitle(const CauseParameter& parameter);

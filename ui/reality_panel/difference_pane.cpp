@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -140,14 +141,20 @@ void DifferencePane::buildHeader() {
     row->addWidget(button);
     return button;
   };
-  connect(addIcon("whole", tr("Show the whole recording"), "differenceAll"), &QToolButton::clicked, this,
-          [this] { axis_->showAll(); });
-  addIcon("fit", tr("Plots alone, or with the rest again"), "aloneButton");  // The window listens to it.
+  whole_ = addIcon("whole", tr("Show the whole recording"), "differenceAll");
+  connect(whole_, &QToolButton::clicked, this, [this] { axis_->showAll(); });
+  alone_ = addIcon("fit", tr("Plots alone, or with the rest again"), "aloneButton");  // The window listens to it.
   IconButton* more = addIcon("more", tr("Picture of this"), "differencePictures");
   more->setPopupMode(QToolButton::InstantPopup);
   auto* pictures = new QMenu(more);
   pictures->addAction(tr("Copy this picture"), this, [this] { QApplication::clipboard()->setImage(grab().toImage()); });
   pictures->addAction(tr("Save this picture"), this, &DifferencePane::pictureWanted);
+  // What the narrow header has no room for.
+  pictures->addSeparator();
+  for (QToolButton* button : {whole_, alone_}) {
+    QAction* action = pictures->addAction(button->toolTip(), button, &QToolButton::click);
+    connect(pictures, &QMenu::aboutToShow, action, [action, button] { action->setVisible(button->isHidden()); });
+  }
   more->setMenu(pictures);
   connect(addIcon("close", tr("Show force and torque instead"), "closeDifference"), &QToolButton::clicked, this,
           &DifferencePane::closeWanted);
@@ -288,7 +295,7 @@ Chart DifferencePane::frequencyChart(bool torque) const {
   chart.yTitle = torque ? tr("Torque left over [N m/√Hz]") : tr("Force left over [N/√Hz]");
   chart.xTitle = tr("Frequency [Hz]");
   chart.logX = chart.logY = true;
-  chart.band = spectrum.floor;
+  addNoise(chart, *report_, spectrum, torque);
   chart.nothing = tr("No stretch is long enough to tell frequencies.");
   for (const bool after : {false, true}) {
     if (after && secret_) continue;
@@ -387,8 +394,10 @@ void DifferencePane::refresh() {
   if (!secret_) legend += line.arg(t.accent.name(), QStringLiteral("━━ ") + tr("with the cause corrected"));
   const QString words[] = {
       legend + tr("· grey: the sensor’s noise, ±2 σ"),
-      tr("Grey: the level of the sensor’s fast noise. Slow noise may lie a few times higher; what rises far above is "
-         "none."),
+      isNoiseOnly(report_.get())
+          ? tr("Grey: what the verdict takes for the sensor’s noise, slow noise included.")
+          : tr("Grey: the level of the sensor’s fast noise. Slow noise may lie a few times higher; what rises far "
+               "above is none."),
       tr("A sloped or curved cloud means that the difference depends on this quantity. Both pictures have one scale; "
          "click on a dot to go to its time.")};
   says_->setText(words[static_cast<int>(view_)]);
@@ -397,7 +406,10 @@ void DifferencePane::refresh() {
 void DifferencePane::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   constexpr int kRoomy = 760;  // [px] Less is needed for the choices.
+  constexpr int kNarrow = 680;
   if (auto* title = findChild<QLabel*>("plotTitle")) title->setVisible(width() >= kRoomy);
+  for (QToolButton* button : {whole_, alone_}) button->setVisible(width() >= kNarrow);
+  says_->setWordWrap(width() < kNarrow);
 }
 
 void DifferencePane::changeEvent(QEvent* event) {

@@ -12,6 +12,7 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace heft {
 
@@ -73,6 +74,7 @@ class DifferencePane : public QWidget {
   TimeAxis* axis_;
   Playback* playback_;
   QPushButton* views_[3];
+  QToolButton *whole_, *alone_;  ///< In the menu where the header is narrow
   QComboBox* cause_;
   QComboBox* channel_;
   QComboBox* witness_;

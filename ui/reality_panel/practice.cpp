@@ -44,15 +44,47 @@ std::optional<std::uint64_t> practiceSeed(const QString& path) {
   return ok ? std::optional<std::uint64_t>(seed) : std::nullopt;
 }
 
-void addGuesses(QVBoxLayout* column, QWidget* parent, const std::function<void(std::string)>& guessed) {
+namespace {
+
+/// What may be known of the riddle before it is solved.
+void addHint(QVBoxLayout* column, QWidget* parent, const std::string& truth, const RealityFindings::Found& found,
+             const RiddleActions& does) {
+  if (!found.tried.empty()) {
+    const Card wrong = makeCard("cardLook", parent);
+    wrong.frame->setProperty("role", "wrongGuess");
+    wrong.layout->addWidget(wrappedLabel(PracticeWords::tr("Not “%1”. It would look like this: %2 One more try.")
+                                             .arg(titleOf(found.tried), looksOf(found.tried)),
+                                         "body", wrong.frame));
+    auto* giveUp = new QPushButton(PracticeWords::tr("Show the answer"), wrong.frame);
+    giveUp->setObjectName("giveUp");
+    QObject::connect(giveUp, &QPushButton::clicked, parent, [gaveUp = does.gaveUp] { gaveUp(); });
+    wrong.layout->addWidget(giveUp, 0, Qt::AlignLeft);
+    column->addWidget(wrong.frame);
+  }
   const Card hint = makeCard("cardSuggested", parent);
-  hint.layout->addWidget(styledLabel(PracticeWords::tr("How to look"), "sectionTitle", hint.frame));
+  hint.layout->addWidget(styledLabel(found.hinted ? PracticeWords::tr("Hint") : PracticeWords::tr("How to look"),
+                                     "sectionTitle", hint.frame));
   hint.layout->addWidget(wrappedLabel(
-      PracticeWords::tr(
-          "When is the difference large: at fast moves, at some places, after a moment, all the time? Does it jump, "
-          "drift or ring? The views below the arm show it by frequency and against the motion."),
+      found.hinted
+          ? looksOf(truth)
+          : PracticeWords::tr("When is the difference large: at fast moves, at some places, after a moment, all the "
+                              "time? Does it jump, drift or ring? The views below the arm show it by frequency and "
+                              "against the motion."),
       "body", hint.frame));
+  if (!found.hinted) {
+    auto* ask = new QPushButton(PracticeWords::tr("Give me a hint"), hint.frame);
+    ask->setObjectName("hintWanted");
+    QObject::connect(ask, &QPushButton::clicked, parent, [wanted = does.hintWanted] { wanted(); });
+    hint.layout->addWidget(ask, 0, Qt::AlignLeft);
+  }
   column->addWidget(hint.frame);
+}
+
+}  // namespace
+
+void addGuesses(QVBoxLayout* column, QWidget* parent, const std::string& truth, const RealityFindings::Found& found,
+                const RiddleActions& does) {
+  addHint(column, parent, truth, found, does);
   column->addWidget(styledLabel(PracticeWords::tr("Your guess"), "sectionTitle", parent));
   auto* grid = new QGridLayout;
   grid->setSpacing(8);
@@ -63,7 +95,8 @@ void addGuesses(QVBoxLayout* column, QWidget* parent, const std::function<void(s
     button->setObjectName("guess_" + QString::fromStdString(id));
     button->setProperty("role", "plain");
     button->setToolTip(looksOf(id));
-    QObject::connect(button, &QPushButton::clicked, parent, [guessed, id] { guessed(id); });
+    QObject::connect(button, &QPushButton::clicked, parent, [guessed = does.guessed, id] { guessed(id); });
+    button->setEnabled(id != found.tried);
     button->ensurePolished();
     widest = std::max(widest, button->sizeHint().width());
     buttons.push_back(button);
@@ -76,8 +109,9 @@ void addGuesses(QVBoxLayout* column, QWidget* parent, const std::function<void(s
   column->addLayout(grid);
 }
 
-void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth, const std::string& guess,
-                 const std::function<void()>& another) {
+void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth, const RealityFindings::Found& found,
+                 const RealityFindings::Score& score, const std::function<void()>& another) {
+  const std::string& guess = found.guess;
   const bool right = truth == guess;
   const Card card = makeCard(right ? "card" : "cardLook", parent);
   card.frame->setProperty("role", "feedback");
@@ -93,6 +127,13 @@ void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth,
     card.layout->addWidget(wrappedLabel(PracticeWords::tr("To tell them apart on a real rig: %1").arg(decidesOf(truth)),
                                         "caption", card.frame));
   }
+  auto* points = wrappedLabel(PracticeWords::tr("Found at once: %1 of %2. With a hint or at the second try: %3.")
+                                  .arg(score.first)
+                                  .arg(score.asked)
+                                  .arg(score.second),
+                              "caption", card.frame);
+  points->setProperty("role", "score");
+  card.layout->addWidget(points);
   auto* next = new QPushButton(PracticeWords::tr("Another one"), card.frame);
   next->setObjectName("anotherRiddle");
   QObject::connect(next, &QPushButton::clicked, parent, [another] { another(); });

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "ui/controller/reality_findings.h"
+
 class QVBoxLayout;
 class QWidget;
 
@@ -17,11 +19,17 @@ QString practiceFile(std::uint64_t seed);
 /// The number of a practice recording by its file; nothing for other recordings.
 std::optional<std::uint64_t> practiceSeed(const QString& path);
 
-/// "What is wrong with this recording?": the faults to choose from.
-void addGuesses(QVBoxLayout* column, QWidget* parent, const std::function<void(std::string)>& guessed);
+/// "What is wrong with this recording?": the faults to choose from, and a hint for whoever asks. A first guess that was
+/// wrong (`found.tried`) is said and can be given up.
+struct RiddleActions {
+  std::function<void(std::string)> guessed;
+  std::function<void()> hintWanted, gaveUp;
+};
+void addGuesses(QVBoxLayout* column, QWidget* parent, const std::string& truth, const RealityFindings::Found& found,
+                const RiddleActions& does);
 
-/// What was right about the guess, and how to see it next time.
-void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth, const std::string& guess,
-                 const std::function<void()>& another);
+/// What was right about the guess, how to see it next time, and how many were found so far.
+void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth, const RealityFindings::Found& found,
+                 const RealityFindings::Score& score, const std::function<void()>& another);
 
 }  // namespace heft

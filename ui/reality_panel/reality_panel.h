@@ -70,6 +70,8 @@ class RealityPanel : public StepPanel {
   void markPull();
   void showMotion(const std::string& cause);
   void recordFor(const std::string& cause);
+  /// A command that is not carried out, and why.
+  static Result<bool> refusal(const QString& sentence);
   void saveMeta();
   Result<bool> writeMeta(const QString& file, bool replace);
   void saveReport();

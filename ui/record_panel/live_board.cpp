@@ -50,8 +50,14 @@ void LiveBoard::buildCard(QVBoxLayout* column) {
   kicker_ = styledLabel({}, "kicker", this);
   card.layout->addWidget(kicker_);
   sentence_ = wrappedLabel({}, "coachSentence", this);
+  // Advice is one line to three: what stands below must not jump with it.
+  sentence_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  sentence_->ensurePolished();
+  sentence_->setMinimumHeight(3 * sentence_->fontMetrics().lineSpacing());
   card.layout->addWidget(sentence_);
   gain_ = wrappedLabel({}, "answer", this);
+  gain_->ensurePolished();
+  gain_->setMinimumHeight(gain_->fontMetrics().lineSpacing());
   card.layout->addWidget(gain_);
   auto* row = new QHBoxLayout;
   row->setSpacing(12);

@@ -32,6 +32,7 @@
 #include "ui/record_panel/flange_guide.h"
 #include "ui/record_panel/live_board.h"
 #include "ui/record_panel/live_stage.h"
+#include "ui/record_panel/recording_list.h"
 #include "ui/record_panel/samples.h"
 #include "ui/record_panel/source_form.h"
 #include "ui/robot_view/robot_view.h"
@@ -45,20 +46,19 @@
 namespace heft {
 namespace {
 
-/// A seed whose practice tool weighs between both [kg].
-std::uint64_t toolBetween(double lightest, double heaviest) {
+QString nameNow(const char* what) {
+  return QString::fromLatin1(what) + QDateTime::currentDateTime().toString(QStringLiteral("-yyyy-MM-dd-HHmm"));
+}
+
+}  // namespace
+
+std::uint64_t RecordPanel::toolBetween(double lightest, double heaviest) {
   std::uint64_t seed = QRandomGenerator::global()->bounded(1000000);
   while (true) {
     const double mass = practiceTool(++seed).mass;
     if (mass >= lightest && mass <= heaviest) return seed;
   }
 }
-
-QString nameNow(const char* what) {
-  return QString::fromLatin1(what) + QDateTime::currentDateTime().toString(QStringLiteral("-yyyy-MM-dd-HHmm"));
-}
-
-}  // namespace
 
 RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts), run_(onlyChild<LiveRun>(*parts.workspace)) {
   if (parts.view) {
@@ -68,6 +68,7 @@ RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts), run_(only
     guide_ = new FlangeGuide(run_, parts.view, this);
   }
   connect(&workspace(), &Workspace::openedChanged, this, &RecordPanel::refresh);
+  connect(&workspace(), &Workspace::recordingsChanged, this, &RecordPanel::refresh);
   connect(&workspace(), &Workspace::reportChanged, this, &RecordPanel::refresh);
   connect(&workspace(), &Workspace::busyChanged, this, &StepPanel::stateChanged);
   connect(run_, &LiveRun::refreshed, this, &RecordPanel::liveRefreshed);
@@ -167,185 +168,6 @@ void RecordPanel::showNoLive() {
   emit arrangementChanged();
 }
 
-void RecordPanel::refresh() {
-  if (run_->running()) return;
-  if (way_ == Way::live && form_) {
-    emit stateChanged();
-    return;  // What is typed in stays.
-  }
-  form_ = nullptr;
-  const auto opened = workspace().opened();
-  QVBoxLayout* column = nullptr;
-  switch (way_) {
-    case Way::files:
-      column = page()->restart(tr("What does your tool weigh?"),
-                               tr("Open a recording of the arm moving with its tool. Heft finds mass, centre of mass "
-                                  "and inertia, and tells how sure each number is."));
-      addWays(column);
-      addFiles(column);
-      break;
-    case Way::live: {
-      column =
-          page()->restart(tr("Listen to your robot"), tr("Heft only listens: it moves nothing and changes nothing."));
-      addWays(column);
-      form_ = new SourceForm(page()->content());
-      column->addWidget(form_);
-      page()->setSecondButton({});
-      page()->setMainButton(tr("Connect and record"), [this] { startListening(); });
-      break;
-    }
-    case Way::virtualArm:
-      column = page()->restart(tr("Try it without a robot"),
-                               tr("The virtual arm follows your mouse as a hand-guided one follows your hand. Find out "
-                                  "what its hidden tool weighs."));
-      addWays(column);
-      addVirtual(column);
-      break;
-  }
-  column->addStretch(1);
-  if (way_ == Way::files) {
-    if (opened) {
-      page()->setSecondButton(tr("Open another …"), [this] { parts().chooseFiles(); });
-      page()->setMainButton(tr("See the result"), [this] { parts().goTo(Step::result); });
-    } else {
-      page()->setSecondButton({});
-      page()->setMainButton(
-          tr("Open a recording …"), [this] { parts().chooseFiles(); }, "open");
-    }
-  }
-  emit stateChanged();
-}
-
-void RecordPanel::addWays(QVBoxLayout* column) {
-  static constexpr std::pair<Way, const char*> kWays[] = {
-      {Way::live, "hand"}, {Way::files, "folder"}, {Way::virtualArm, "tool"}};
-  const auto spaced = [](const QString& text) { return QStringLiteral(" ") + text; };
-  auto* ways = new Segments({spaced(tr("Live robot")), spaced(tr("Open files")), spaced(tr("Virtual arm"))},
-                            {"wayLive", "wayFiles", "wayVirtual"}, page()->content());
-  for (int i = 0; i < 3; ++i) {
-    ways->button(i)->setIcon(themedIcon(kWays[i].second));
-    if (kWays[i].first == way_) ways->setChosen(i);
-  }
-  connect(ways, &Segments::picked, this, [this](int i) { setWay(kWays[i].first); });
-  column->addWidget(ways);
-}
-
-void RecordPanel::addFiles(QVBoxLayout* column) {
-  QWidget* content = page()->content();
-  const Card card = makeCard("card", content);
-  card.layout->addWidget(styledLabel(tr("What a recording holds"), "sectionTitle", content));
-  card.layout->addWidget(wrappedLabel(tr("Time, joint angles or sensor poses, and force and torque: a CSV, a ROS bag, "
-                                         "MCAP or HDF5. A file NAME.meta.json beside it may name the robot and how the "
-                                         "sensor is mounted."),
-                                      "caption", content));
-  card.layout->addWidget(wrappedLabel(tr("You can also drop a file anywhere in this window."), "caption", content));
-  column->addWidget(card.frame);
-  addOpened(column);
-  addRecent(column);
-  if (!workspace().opened()) addSamples(column);
-}
-
-/// For the first minutes: something to open, to guide, to find out.
-void RecordPanel::addSamples(QVBoxLayout* column) {
-  QWidget* content = page()->content();
-  column->addSpacing(6);
-  column->addWidget(styledLabel(tr("No recording at hand?"), "sectionTitle", content));
-  for (const Sample& sample : samples()) {
-    auto* button = new QPushButton(sample.title, content);
-    button->setObjectName("sampleButton");
-    button->setProperty("role", "plain");
-    button->setToolTip(tr("Makes this recording with the simulation and opens it"));
-    connect(button, &QPushButton::clicked, this, [this, sample] {
-      sampling_.start(
-          tr("Making a sample recording"), [sample](const Progress& progress) { return sampleFile(sample, progress); },
-          [this](Result<QString> made) {
-            if (!made) return parts().say(Severity::error, QString::fromStdString(made.error().message));
-            workspace().open(*made);
-          });
-    });
-    column->addWidget(button);
-  }
-  column->addWidget(wrappedLabel(tr("Or guide the virtual arm yourself (third tab above), or look for a hidden fault: "
-                                    "menu Practice."),
-                                 "caption", content));
-}
-
-void RecordPanel::addVirtual(QVBoxLayout* column) {
-  QWidget* content = page()->content();
-  column->addWidget(styledLabel(tr("Which tool does it carry?"), "sectionTitle", content));
-  auto* row = new QHBoxLayout;
-  row->setSpacing(8);
-  auto* group = new QButtonGroup(content);
-  const std::tuple<QString, QString, double, double> tools[] = {{tr("Surprise"), tr("anything"), 0.25, 1.6},
-                                                                {tr("Light"), tr("below 0.5 kg"), 0.25, 0.5},
-                                                                {tr("Heavy"), tr("over 1.1 kg"), 1.1, 1.6}};
-  for (const auto& [name, detail, lightest, heaviest] : tools) {
-    auto* card = new ChoiceCard(name, detail, content);
-    group->addButton(card);
-    card->setChecked(group->buttons().size() == 1);
-    connect(card, &QAbstractButton::clicked, this, [this, a = lightest, b = heaviest] { tool_ = toolBetween(a, b); });
-    row->addWidget(card);
-  }
-  column->addLayout(row);
-  tool_ = toolBetween(0.25, 1.6);
-  const Card card = makeCard("card", content);
-  card.layout->addWidget(styledLabel(tr("How to guide it"), "sectionTitle", content));
-  for (const QString& line :
-       {tr("Drag the tool in the picture: the arm follows."), tr("Drag one of the three rings: the tool turns."),
-        tr("Or use the arrow keys and Page Up, Page Down; with Shift they turn."),
-        tr("The coach says what helps most. Let it be shown to you if you like.")})
-    card.layout->addWidget(wrappedLabel(line, "caption", content));
-  column->addWidget(card.frame);
-  page()->setSecondButton(tr("Standing poses"), [this] { startVirtual(tool_, true, true); });
-  page()->setMainButton(
-      tr("Start guiding"), [this] { startVirtual(tool_, false, true); }, "hand");
-}
-
-void RecordPanel::addOpened(QVBoxLayout* column) {
-  const Session& session = workspace().session();
-  if (session.recordings.empty()) return;
-  column->addSpacing(6);
-  column->addWidget(styledLabel(tr("In this session"), "sectionTitle", page()->content()));
-  for (int k = 0; k < static_cast<int>(session.recordings.size()); ++k) {
-    const QString path = QString::fromStdString(session.recordings[static_cast<std::size_t>(k)].file.string());
-    const auto opened = workspace().openedAt(k);
-    const auto report = workspace().reportAt(k);
-    QString text = QFileInfo(path).fileName();
-    if (!opened) {
-      text = tr("%1, not read").arg(text);
-    } else if (report) {
-      text = tr("%1, %2 kg").arg(text, numberText(report->payload.mass, 3));
-    }
-    auto* button = new QPushButton(text, page()->content());
-    button->setObjectName(QStringLiteral("recording%1").arg(k));
-    button->setProperty("role", k == session.active ? "chosen" : "plain");
-    button->setToolTip(k == session.active ? tr("Shown now: %1").arg(path) : tr("Show %1").arg(path));
-    button->setEnabled(opened != nullptr);
-    connect(button, &QPushButton::clicked, this, [this, k] { workspace().activate(k); });
-    column->addWidget(button);
-  }
-}
-
-void RecordPanel::addRecent(QVBoxLayout* column) {
-  const QStringList recent = parts().recentFiles();
-  if (recent.isEmpty()) return;
-  column->addSpacing(6);
-  column->addWidget(styledLabel(tr("Recent files"), "sectionTitle", page()->content()));
-  for (const QString& path : recent) {
-    // Names alone repeat: with the folder and the day.
-    const QFileInfo file(path);
-    auto* button = new QPushButton(tr("%1   ·   %2, %3")
-                                       .arg(file.fileName(), QDir(file.absolutePath()).dirName(),
-                                            QLocale().toString(file.lastModified().date(), QLocale::ShortFormat)),
-                                   page()->content());
-    button->setObjectName("linkButton");
-    button->setToolTip(path);
-    button->setAccessibleName(tr("Open %1").arg(path));
-    connect(button, &QPushButton::clicked, this, [this, path] { workspace().open(path); });
-    column->addWidget(button);
-  }
-}
-
 void RecordPanel::startVirtual(std::uint64_t seed, bool poses, bool byClock) {
   VirtualRigOptions options;
   options.seed = seed;
@@ -369,9 +191,9 @@ void RecordPanel::startVirtual(std::uint64_t seed, bool poses, bool byClock) {
 void RecordPanel::startListening() {
   if (!form_) return;
   auto addresses = form_->addresses();
-  if (!addresses) return fail(QString::fromStdString(addresses.error().message));
+  if (!addresses) return form_->complain(QString::fromStdString(addresses.error().message));
   auto meta = form_->meta();
-  if (!meta) return fail(QString::fromStdString(meta.error().message));
+  if (!meta) return form_->complain(QString::fromStdString(meta.error().message));
   const bool assumed = form_->mountAssumed();
   listenTo({0, std::move(*addresses), std::move(*meta), form_->rigFile().toStdString(), assumed}, false);
 }
@@ -435,39 +257,6 @@ void RecordPanel::follow() {
   showLive();
 }
 
-void RecordPanel::showLive() {
-  const bool poses = run_->poses();
-  QVBoxLayout* column =
-      poses ? page()->restart(tr("Hold the tool still, in several tilts"),
-                              tr("Heft takes a pose by itself after one still second. Touch nothing with the tool."))
-            : page()->restart(tr("Move the arm. Heft listens."),
-                              tr("Guide it as you always do. Touch nothing with the tool."));
-  board_ = new LiveBoard(run_, page()->content());
-  connect(board_, &LiveBoard::posesWanted, this, &RecordPanel::changeWay);
-  connect(board_, &LiveBoard::anotherToolWanted, this, &RecordPanel::changeTool);
-  column->addWidget(board_);
-  column->addStretch(1);
-  if (poses) {
-    page()->setSecondButton(tr("Discard"), [this] { discardPoses(); });
-  } else {
-    showPause();
-  }
-  page()->setMainButton(
-      tr("Stop and keep"), [this] { stopAndKeep(); }, "check");
-  page()->setMainEnabled(false, tr("Nothing has come yet."));
-}
-
-void RecordPanel::showPause() {
-  page()->setSecondButton(
-      run_->paused() ? tr("Resume") : tr("Pause"),
-      [this] {
-        run_->setPaused(!run_->paused());
-        showPause();
-        emit stateChanged();
-      },
-      run_->paused() ? "play" : "pause");
-}
-
 void RecordPanel::liveRefreshed() {
   if (!run_->running() || !board_) return;
   const LiveView& now = run_->view();
@@ -524,7 +313,8 @@ void RecordPanel::stopAndKeep() {
   showNoLive();
   if (file.isEmpty()) return parts().say(Severity::warning, tr("Nothing was recorded."));
   workspace().open(file);
-  parts().say(Severity::info, tr("Recording saved: %1").arg(file));
+  parts().offer(Severity::info, tr("Recording saved: %1").arg(file), tr("Show in folder"),
+                [file] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file).absolutePath())); });
   if (assumed && parts().editRig)
     parts().offer(
         Severity::warning,
@@ -597,85 +387,6 @@ void RecordPanel::addActions(const StudioMenus& menus) {
     QDir().mkpath(recordedFolder());
     QDesktopServices::openUrl(QUrl::fromLocalFile(recordedFolder()));
   });
-}
-
-std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
-  if (words[0] != "live") return std::nullopt;
-  const auto wrong = [](const QString& sentence) { return Result<bool>(Error{sentence.toStdString()}); };
-  const QString what = words.value(1);
-  bool numbers = true;
-  const auto number = [&](int index, double otherwise) {
-    if (words.size() <= index) return otherwise;
-    bool ok = false;
-    const double value = words[index].toDouble(&ok);
-    numbers = numbers && ok;
-    return value;
-  };
-  if (what == "virtual" || what == "poses") {
-    const double seconds = number(2, 0.0), seed = number(3, 1.0);
-    if (!numbers || seconds < 0 || seconds > 7200 || seed < 0)
-      return wrong(tr("live %1 expects seconds and a tool's number.").arg(what));
-    startVirtual(static_cast<std::uint64_t>(seed), what == "poses", false);
-    if (!run_->running()) return wrong(tr("The virtual arm did not start."));
-    if (what == "virtual") run_->virtualArm()->guide([](GuidedArm& arm) { arm.wander(); });
-    run_->pass(seconds);
-    return Result<bool>(true);
-  }
-  if (what == "form") {
-    way_ = Way::live;
-    refresh();
-    return Result<bool>(true);
-  }
-  if (what == "replay" && words.size() >= 3) {
-    way_ = Way::live;
-    form_ = nullptr;
-    LiveOrigin origin{0, {"replay:" + words[2].toStdString() + "?speed=20"}, {}, {}, false};
-    Findings findings;
-    if (QFileInfo::exists(QString::fromStdString(metaFileOf(words[2].toStdString()).string()))) {
-      auto meta = readMeta(metaFileOf(words[2].toStdString()), findings);
-      if (!meta) return Result<bool>(meta.error());
-      origin.meta = std::move(*meta);
-      origin.meta.numbersArePlain();
-    }
-    listenTo(std::move(origin), false);
-    if (!run_->running()) return wrong(tr("%1 could not be played.").arg(words[2]));
-    // The script goes on when all has come and has been learned.
-    waiting_.start(
-        QString(),
-        [session = run_->session()](const Progress& progress) -> Result<bool> {
-          const auto under = [&](LinkState state) {
-            return state == LinkState::connecting || state == LinkState::live;
-          };
-          while (!progress.cancelled() && under(session->status().sources.front().state))
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
-          std::this_thread::sleep_for(std::chrono::milliseconds(300));
-          return true;
-        },
-        [](Result<bool>) {});
-    return Result<bool>(true);
-  }
-  if (!run_->running()) return wrong(tr("Nothing is being recorded: begin with live virtual or live replay."));
-  if (what == "pass") {
-    const double seconds = number(2, 0.0);
-    if (!numbers || seconds < 0 || !run_->virtualArm()) return wrong(tr("live pass expects seconds of a virtual arm."));
-    run_->pass(seconds);
-    return Result<bool>(true);
-  }
-  if (what == "guide" && run_->virtualArm()) {
-    const Vector3d shift(number(2, 0), number(3, 0), number(4, 0)), turn(number(5, 0), number(6, 0), number(7, 0));
-    if (!numbers) return wrong(tr("live guide expects metres and, if you like, radians."));
-    run_->virtualArm()->guide([&](GuidedArm& arm) { FlangeGuide::nudge(arm, shift, turn); });
-    return Result<bool>(true);
-  }
-  if (what == "show") return run_->makeAdvised() ? Result<bool>(true) : wrong(tr("There is nothing to be shown now."));
-  if (what == "change") return changeTool(), Result<bool>(true);
-  if (what == "stop") return stopAndKeep(), Result<bool>(true);
-  if (what == "discard") {
-    run_->discard();
-    showNoLive();
-    return Result<bool>(true);
-  }
-  return wrong(tr("live expects virtual, poses, replay, pass, guide, show, change, stop or discard."));
 }
 
 }  // namespace heft

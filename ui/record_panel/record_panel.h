@@ -19,6 +19,7 @@ class FlangeGuide;
 class LiveBoard;
 class LiveStage;
 class SourceForm;
+struct Sample;
 
 class RecordPanel : public StepPanel {
   Q_OBJECT
@@ -55,6 +56,8 @@ class RecordPanel : public StepPanel {
 
  private:
   void refresh();
+  /// A seed whose practice tool weighs between both [kg].
+  static std::uint64_t toolBetween(double lightest, double heaviest);
   void showLive();
   void showPause();
   void addWays(QVBoxLayout* column);
@@ -63,6 +66,7 @@ class RecordPanel : public StepPanel {
   void addOpened(QVBoxLayout* column);
   void addRecent(QVBoxLayout* column);
   void addSamples(QVBoxLayout* column);
+  void openSample(const Sample& sample);
   void listenTo(LiveOrigin origin, bool poses);
   bool virtualRun() const { return run_->virtualArm() != nullptr; }
   void begin(LiveSetup setup, bool byClock);

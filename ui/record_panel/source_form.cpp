@@ -4,8 +4,11 @@
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <filesystem>
@@ -78,6 +81,7 @@ QLineEdit* SourceForm::addField(QVBoxLayout* column, const QString& label, const
   field->setToolTip(tip);
   field->setAccessibleName(label);
   title->setBuddy(field);
+  connect(field, &QLineEdit::textEdited, this, &SourceForm::clearComplaint);
   return field;
 }
 
@@ -88,6 +92,7 @@ void SourceForm::rebuild() {
   old->hide();
   old->deleteLater();
   jointsAddress_ = nullptr;
+  complaint_ = nullptr;
   mounted_ = nullptr;
   distance_ = nullptr;
   auto* column = new QVBoxLayout(fields_);
@@ -101,7 +106,8 @@ void SourceForm::rebuild() {
       {tr("Address of the Foxglove bridge; empty: localhost:8765"), tr("Computer and port of foxglove_bridge")},
       {tr("Address of rosbridge; empty: localhost:9090"), tr("Computer and port of rosbridge_server")},
       {tr("Port that your program sends to; empty: 9870"),
-       tr("Datagrams with a JSON object each: time, q1 … q7, fx … tz. Only from this computer.")},
+       tr("Datagrams with a JSON object each: time [s], q1 … q7 [rad], fx fy fz [N], tx ty tz [N m]. Only from this "
+          "computer.")},
       {tr("Recording to play"), tr("Any recording that Heft opens")}};
   const Place& place = places[static_cast<int>(kind_)];
   const auto addWithChooser = [&](QLineEdit* field, const QString& title, const QString& filter) {
@@ -122,6 +128,8 @@ void SourceForm::rebuild() {
   } else {
     column->addWidget(address_);
   }
+  // Whoever writes that program needs it before his eyes.
+  if (kind_ == Kind::jsonUdp) column->addWidget(wrappedLabel(place.tip, "caption", fields_));
   if (kind_ == Kind::netFt) {
     column->addSpacing(4);
     column->addWidget(styledLabel(tr("Who tells how the arm stands?"), "sectionTitle", fields_));
@@ -183,10 +191,53 @@ void SourceForm::addMount(QVBoxLayout* column) {
   };
   connect(mounted_, &Segments::picked, this, [this, show](int answer) {
     mountAnswer_ = answer;
+    clearComplaint();
     mounted_->setChosen(answer);
     show();
   });
   show();
+}
+
+QWidget* SourceForm::culprit() const {
+  const bool needsAddress = kind_ == Kind::netFt || kind_ == Kind::ur || kind_ == Kind::replay;
+  if (needsAddress && address_->text().trimmed().isEmpty()) return address_;
+  if (jointsAddress_ && joints_ == Kind::ur && jointsAddress_->text().trimmed().isEmpty()) return jointsAddress_;
+  if (!rigFile().isEmpty()) return rig_;
+  return mounted_ && mountAnswer_ < 0 ? static_cast<QWidget*>(mounted_) : address_;
+}
+
+void SourceForm::clearComplaint() {
+  if (!complaint_) return;
+  for (auto* field : fields_->findChildren<QLineEdit*>()) {
+    field->setProperty("wrong", false);
+    field->style()->polish(field);
+  }
+  delete complaint_;
+  complaint_ = nullptr;
+}
+
+void SourceForm::complain(const QString& sentence) {
+  clearComplaint();
+  QWidget* field = culprit();
+  complaint_ = wrappedLabel(sentence, "fieldError", fields_);
+  auto* column = static_cast<QVBoxLayout*>(fields_->layout());
+  int below = column->count();
+  for (int k = 0; k < column->count(); ++k) {
+    QLayoutItem* item = column->itemAt(k);
+    if (item->widget() == field || (item->layout() && item->layout()->indexOf(field) >= 0)) below = k + 1;
+  }
+  column->insertWidget(below, complaint_);
+  if (qobject_cast<QLineEdit*>(field)) {
+    field->setProperty("wrong", true);
+    field->style()->polish(field);
+  }
+  (field == mounted_ ? mounted_->button(0) : field)->setFocus(Qt::OtherFocusReason);
+  for (QWidget* up = parentWidget(); up; up = up->parentWidget())
+    if (auto* scroll = qobject_cast<QScrollArea*>(up)) {
+      fields_->layout()->activate();
+      scroll->ensureWidgetVisible(complaint_);
+      scroll->ensureWidgetVisible(field);
+    }
 }
 
 bool SourceForm::mountAssumed() const {

@@ -6,6 +6,7 @@
 #include "core/base/result.h"
 #include "core/recording/recording.h"
 
+class QLabel;
 class QLineEdit;
 class QVBoxLayout;
 
@@ -27,18 +28,24 @@ class SourceForm : public QWidget {
   /// Of the rig file, of the replayed recording, or the usual rig.
   Result<RecordingMeta> meta() const;
   QString rigFile() const;
+  /// Says what keeps it from listening at the field that it concerns, and puts the keyboard there.
+  void complain(const QString& sentence);
   /// Neither a rig file nor the user says how the sensor sits on the flange.
   bool mountAssumed() const;
 
  private:
   void rebuild();
   void addMount(QVBoxLayout* column);
+  /// What addresses() or meta() misses, in their order.
+  QWidget* culprit() const;
+  void clearComplaint();
   QLineEdit* addField(QVBoxLayout* column, const QString& label, const QString& name, const QString& tip);
 
   Kind kind_ = Kind::netFt;
   Kind joints_ = Kind::foxglove;  ///< With Net F/T, which measures forces only
   QWidget* fields_ = nullptr;
   QLineEdit *address_ = nullptr, *jointsAddress_ = nullptr, *rig_ = nullptr;
+  QLabel* complaint_ = nullptr;
   Segments* mounted_ = nullptr;  ///< Not sure, on the flange, at a distance along its axis
   Stepper* distance_ = nullptr;
   int mountAnswer_ = -1;

@@ -33,7 +33,7 @@ struct Words {
 constexpr int kWidth = 680;  // [px] of pictures
 const QString kBodyMargin = QStringLiteral("margin:24px auto");
 
-QString escaped(const QString& text) { return text.toHtmlEscaped(); }
+QString escaped(const QString& text) { return text.toHtmlEscaped().replace('\n', QStringLiteral("<br>")); }
 
 QString pictureOf(const QImage& image, const QString& what, int width = kWidth) {
   QByteArray bytes;
@@ -200,7 +200,7 @@ QString diagnosisPart(const Workspace& workspace, const DiagnosisReport& report)
                           : Words::tr("Force difference by frequency [N/√Hz]");
     chart.xTitle = Words::tr("Frequency [Hz]");
     chart.logX = chart.logY = true;
-    chart.band = spectrum.floor;
+    addNoise(chart, report, spectrum, torque);
     for (const bool after : {false, true}) {
       QVector<QPointF> points;
       for (Eigen::Index i = 0; i < spectrum.frequency.size(); ++i)

@@ -50,6 +50,7 @@ KnownValuesDialog::KnownValuesDialog(const PartialPayload& known, QWidget* paren
     edit->setObjectName(name);
     edit->setAccessibleName(accessible);
     edit->setPlaceholderText(tr("not known"));
+    dimPlaceholder(edit);
     return edit;
   };
   mass_ = field("knownMass", tr("Weight in kg"));

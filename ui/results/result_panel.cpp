@@ -1,6 +1,8 @@
 #include "ui/results/result_panel.h"
 
+#include <QClipboard>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -384,6 +386,16 @@ void ResultPanel::addDetails(QVBoxLayout* column, const std::vector<DetailText>&
   column->addSpacing(4);
   column->addWidget(styledLabel(tr("Details"), "sectionTitle", content()));
   addRows(column, details);
+  auto* copy = new QPushButton(tr("Copy the details"), content());
+  copy->setObjectName("copyDetails");
+  copy->setToolTip(tr("As a table for a spreadsheet or a message"));
+  connect(copy, &QPushButton::clicked, this, [details] {
+    QStringList lines;
+    for (const DetailText& detail : details)
+      lines << detail.name + QChar('\t') + QString(detail.value).replace('\n', QStringLiteral("\n\t"));
+    QGuiApplication::clipboard()->setText(lines.join('\n'));
+  });
+  column->addWidget(copy, 0, Qt::AlignLeft);
 }
 
 void ResultPanel::setDetailsShown(bool shown) {

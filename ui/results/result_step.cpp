@@ -9,8 +9,8 @@
 #include "ui/controller/reality_findings.h"
 #include "ui/controller/workspace.h"
 #include "ui/models/method_table.h"
-#include "ui/models/numbers.h"
 #include "ui/models/result_text.h"
+#include "ui/models/units.h"
 #include "ui/reality_panel/open_question.h"
 #include "ui/results/known_values.h"
 #include "ui/results/method_pane.h"
@@ -48,7 +48,7 @@ StepState ResultStep::state() const {
                               : StepState{P::ready, Light::measured, tr("no estimate yet")};
   }
   const ResultText text = describeResult(*report, known(), openQuestion(workspace()));
-  const QString mass = tr("%1 kg").arg(numberText(report->payload.mass, 3));
+  const QString mass = massText(report->payload.mass, 3);
   if (text.withheld) return {P::done, Light::look, tr("no weight yet")};
   if (text.doubted) return {P::done, Light::look, tr("%1, check first").arg(mass)};
   if (report->identifiability.mass == Source::none) return {P::done, Light::unknown, tr("mass not known")};

@@ -7,9 +7,10 @@
 namespace heft {
 namespace {
 
-constexpr double kGap = 10, kEdge = 16, kBeside = 60;                            // [px]
-constexpr double kNoRoom = 1e6, kHides = 4e4, kOutside = 5e3, kUnderNote = 400;  // Costs, beside pixels of way
-constexpr double kLeftCosts = 60, kChangeCosts = 15;                             // A label
+constexpr double kGap = 10, kEdge = 16, kBeside = 60;  // [px]
+constexpr double kNoRoom = 1e6, kHides = 4e4, kOutside = 5e3, kUnderNote = 400, kUnderLetter = 40,
+                 kOnArm = 150;                        // Costs, beside pixels of way
+constexpr double kLeftCosts = 60, kChangeCosts = 15;  // A label
 
 const QRectF* firstHit(const QRectF& place, const std::vector<QRectF>& obstacles) {
   const QRectF wide = place.adjusted(-kGap / 2, -kGap / 2, kGap / 2, kGap / 2);
@@ -61,6 +62,14 @@ double cost(const std::vector<LabelToPlace>& labels, const std::vector<QRectF>& 
     if (!picture.contains(places[i])) sum += kOutside;
     for (const QRectF& each : room.taken)
       if (crosses(leader, each)) sum += kUnderNote;
+    for (const QRectF& each : room.letters)
+      if (crosses(leader, each)) sum += kUnderLetter;
+    double onArm = 0;  // Links overlap each other.
+    for (const QRectF& each : room.arm) {
+      const QRectF common = each.intersected(places[i]);
+      onArm = std::max(onArm, common.width() * common.height() / (places[i].width() * places[i].height()));
+    }
+    sum += kOnArm * onArm;
     for (const QRectF& each : room.subjects) {
       const QRectF common = each.intersected(places[i]);
       if (!common.isEmpty())
@@ -99,7 +108,9 @@ std::vector<QRectF> placeLabels(const std::vector<LabelToPlace>& labels, const L
                             {LabelSide::right, atRight},
                             {LabelSide::left, besideLeft},
                             {LabelSide::left, atLeft}};
-  std::vector<QRectF> all = room.taken;
+  std::vector<QRectF> never = room.taken;
+  never.insert(never.end(), room.letters.begin(), room.letters.end());
+  std::vector<QRectF> all = never;
   all.insert(all.end(), room.subjects.begin(), room.subjects.end());
   std::vector<QRectF> best;
   LabelSide bestSide = side;
@@ -112,7 +123,7 @@ std::vector<QRectF> placeLabels(const std::vector<LabelToPlace>& labels, const L
         column.side == LabelSide::right ? place.moveLeft(column.edge) : place.moveRight(column.edge);
         places.push_back(place);
       }
-      const bool fits = pack(places, aroundSubjects ? all : room.taken, room.picture.height());
+      const bool fits = pack(places, aroundSubjects ? all : never, room.picture.height());
       double price = cost(labels, places, room) + (fits ? 0 : kNoRoom);
       const double each = static_cast<double>(labels.size());
       if (column.side == LabelSide::left) price += each * kLeftCosts;

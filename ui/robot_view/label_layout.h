@@ -15,8 +15,10 @@ struct LabelToPlace {
 
 struct LabelRoom {
   QSizeF picture;
-  std::vector<QRectF> taken;     ///< Notes, buttons, lengths: never covered.
-  std::vector<QRectF> subjects;  ///< What is named: not covered where there is room.
+  std::vector<QRectF> taken;         ///< Notes, buttons, lengths: never covered.
+  std::vector<QRectF> subjects;      ///< What is named: not covered where there is room.
+  std::vector<QRectF> letters = {};  ///< Of the axes: never covered, but a leader may go below them.
+  std::vector<QRectF> arm = {};      ///< Its links: rather left in sight.
 };
 
 enum class LabelSide { right, left };

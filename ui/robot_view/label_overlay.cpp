@@ -16,7 +16,7 @@ LabelOverlay::LabelOverlay(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::NoFocus);
 }
 
-void LabelOverlay::setLabels(std::vector<ViewLabel> labels, std::vector<QRectF> taken, std::vector<QRectF> subjects) {
+void LabelOverlay::setLabels(std::vector<ViewLabel> labels, LabelRoom room) {
   labels_ = std::move(labels);
   std::sort(labels_.begin(), labels_.end(),
             [](const ViewLabel& a, const ViewLabel& b) { return a.anchor.y() < b.anchor.y(); });
@@ -27,7 +27,8 @@ void LabelOverlay::setLabels(std::vector<ViewLabel> labels, std::vector<QRectF> 
     const double h = (label.note.isEmpty() ? title.height() : title.height() + note.height()) + kPadding;
     wanted.push_back({label.anchor, QSizeF(w, h)});
   }
-  places_ = placeLabels(wanted, {QSizeF(size()), std::move(taken), std::move(subjects)}, side_);
+  room.picture = QSizeF(size());
+  places_ = placeLabels(wanted, room, side_);
   update();
 }
 

@@ -22,8 +22,8 @@ class LabelOverlay : public QWidget {
  public:
   explicit LabelOverlay(QWidget* parent);
 
-  /// `taken` is never covered, `subjects` not where there is room [px].
-  void setLabels(std::vector<ViewLabel> labels, std::vector<QRectF> taken, std::vector<QRectF> subjects);
+  /// What they keep clear of; the picture is the overlay's own size.
+  void setLabels(std::vector<ViewLabel> labels, LabelRoom room);
   /// Little circled letters at the ends of the sensor's axes; a point outside the widget hides its letter.
   void setAxisLetters(const std::array<QPointF, 3>& ends, bool shown);
 

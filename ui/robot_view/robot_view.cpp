@@ -12,6 +12,7 @@
 #include "ui/models/numbers.h"
 #include "ui/robot_view/dimension_editor.h"
 #include "ui/robot_view/label_overlay.h"
+#include "ui/robot_view/posed_arm.h"
 #include "ui/robot_view/scene_state.h"
 #include "ui/robot_view/scene_track.h"
 #include "ui/robot_view/viewport.h"
@@ -155,6 +156,15 @@ void RobotView::buildTools() {
 }
 
 void RobotView::showRobot(std::shared_ptr<const RobotModel> robot, std::shared_ptr<const RobotLook> look) {
+  standIn_ = robot;
+  standInLook_ = look;
+  if (recording_ && !robot_ && !posed_) {
+    poseStandIn();
+    rebuildSweep();
+    updateInstant();
+    updateNote();
+    if (!cameraTouched_) usePreset(preset_);
+  }
   if (recording_) return;
   if (kept_) {  // Behind what is live.
     if (!kept_->recording) kept_->robot = std::move(robot), kept_->look = std::move(look);
@@ -186,6 +196,21 @@ void RobotView::dress(std::shared_ptr<const RobotLook> look, const SensorMount& 
   scene_.sensorLength = ownSensor ? 0.0 : sensorBodyLength(mount);
 }
 
+void RobotView::poseStandIn() {
+  posed_.reset();
+  if (!track_ || track_->hasJoints() || robot_ || !standIn_ || !standInLook_ || !recording_->hasOrientation()) return;
+  const bool poses = recording_->meta.kind == RecordingKind::poses;
+  const double first = poses ? 1.0 : recording_->time(0);
+  auto arm = PosedArm::follow(*track_, recording_->meta.mount, first,
+                              first + (poses ? static_cast<double>(recording_->rows() - 1) : recording_->duration()),
+                              standIn_);
+  if (!arm) return;
+  posed_ = std::make_unique<PosedArm>(std::move(*arm));
+  look_ = standInLook_;
+  // All of it translucent: nobody recorded it.
+  scene_.setRobot(look_, std::vector<bool>(standIn_->links().size(), true));
+}
+
 void RobotView::showRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const RobotModel> robot,
                               std::shared_ptr<const RobotLook> look) {
   kept_.reset();
@@ -194,6 +219,7 @@ void RobotView::showRecording(std::shared_ptr<const Recording> recording, std::s
   track_ = std::make_unique<SceneTrack>(recording_, robot_);
   dress(std::move(look), recording_->meta.mount);
   setGravity(recording_->meta.gravity);
+  poseStandIn();
   time_ = recording_->meta.kind == RecordingKind::poses ? 1.0 : recording_->rows() > 0 ? recording_->time(0) : 0.0;
   rebuildPath();
   rebuildSweep();
@@ -205,6 +231,7 @@ void RobotView::showRecording(std::shared_ptr<const Recording> recording, std::s
 
 void RobotView::showNothing() {
   kept_.reset();
+  posed_.reset();
   recording_.reset();
   track_.reset();
   clearEstimate();
@@ -227,6 +254,7 @@ void RobotView::beginLive(std::shared_ptr<const RobotModel> robot, std::shared_p
   if (!kept_) kept_ = std::make_unique<Kept>(Kept{recording_, robot_, look_, report_, time_});
   recording_.reset();
   track_.reset();
+  posed_.reset();
   robot_ = std::move(robot);
   dress(std::move(look), mount);
   setGravity(gravity);
@@ -350,8 +378,12 @@ void RobotView::rebuildSweep() {
   std::vector<Isometry3d> X_BL;
   for (int i = 0; i <= kInstants; ++i) {
     const double time = first + span * i / kInstants;
-    if (track_->hasJoints()) {
-      robot_->linkPoses(track_->jointsAt(time), X_BL);
+    if (track_->hasJoints() || posed_) {
+      if (posed_) {
+        posed_->robot().linkPoses(posed_->jointsAt(time), X_BL);
+      } else {
+        robot_->linkPoses(track_->jointsAt(time), X_BL);
+      }
       for (const Isometry3d& X : X_BL) {
         // A link is about this thick about its frame.
         for (const double side : {-0.09, 0.09}) {
@@ -375,6 +407,10 @@ void RobotView::updateInstant() {
   if (track_->hasJoints()) {
     std::vector<Isometry3d> X_BL;
     robot_->linkPoses(track_->jointsAt(time_), X_BL);
+    scene_.X_BL = X_BL;
+  } else if (posed_) {
+    std::vector<Isometry3d> X_BL;
+    posed_->robot().linkPoses(posed_->jointsAt(time_), X_BL);
     scene_.X_BL = X_BL;
   }
   viewport_->requestFrame();
@@ -558,8 +594,9 @@ double RobotView::lastFrameMilliseconds() const { return viewport_->lastFrameMil
 void RobotView::updateNote() {
   QString text = stepNote_;
   if (text.isEmpty() && track_ && !track_->hasJoints()) {
-    text = track_->positionKnown() ? tr("This recording has no robot: the sensor is shown alone")
-                                   : tr("This recording has no position: the sensor turns in place");
+    text = posed_                    ? tr("No joint angles recorded: a Panda is drawn that reaches these poses")
+           : track_->positionKnown() ? tr("This recording has no robot: the sensor is shown alone")
+                                     : tr("This recording has no position: the sensor turns in place");
   }
   note_->setText(text);
   note_->adjustSize();

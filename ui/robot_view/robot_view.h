@@ -24,6 +24,7 @@ namespace heft {
 
 class DimensionEditor;
 class LabelOverlay;
+class PosedArm;
 class SceneTrack;
 class Viewport;
 struct SceneParts;
@@ -44,7 +45,8 @@ class RobotView : public QWidget {
   explicit RobotView(QWidget* parent = nullptr);
   ~RobotView() override;
 
-  /// An arm standing in its home posture, before any recording is open.
+  /// An arm standing in its home posture, before any recording is open. It also stands in, translucent, where a
+  /// recording has poses alone that it can reach.
   void showRobot(std::shared_ptr<const RobotModel> robot, std::shared_ptr<const RobotLook> look);
   /// Neither robot nor recording, nor anything that was found out about one.
   void showNothing();
@@ -119,10 +121,14 @@ class RobotView : public QWidget {
   void buildTools();
   void rebuildPath();
   void rebuildSweep();
+  /// Lets the stand-in follow a recording of poses, where it can.
+  void poseStandIn();
   void updateInstant();
   void updateLabels();
   /// What labels name, as rectangles of the picture on the screen.
   std::vector<QRectF> namedPlaces() const;
+  /// The arm's links, likewise.
+  std::vector<QRectF> linkPlaces() const;
   void updateNote();
   /// At the top left, or at the bottom where that would cover what is shown.
   void placeNote(const std::vector<QRectF>& subjects);
@@ -147,6 +153,9 @@ class RobotView : public QWidget {
   std::shared_ptr<const Recording> recording_;
   std::shared_ptr<const RobotModel> robot_;
   std::shared_ptr<const RobotLook> look_;
+  std::shared_ptr<const RobotModel> standIn_;  ///< For recordings without a robot
+  std::shared_ptr<const RobotLook> standInLook_;
+  std::unique_ptr<PosedArm> posed_;  ///< Null unless it stands in
   std::shared_ptr<const EstimateReport> report_;
   std::vector<Vector3d> sweep_;  ///< Where arm and tool get in this recording, B axes [m].
   double time_ = 0.0;

@@ -1,5 +1,6 @@
 // What stands over the 3D picture in words: labels with their leaders, and the note of the step.
 #include <QLabel>
+#include <QLineF>
 #include <QPolygonF>
 #include <algorithm>
 
@@ -48,13 +49,30 @@ void RobotView::updateLabels() {
     if (anchors.axes[a]) ends[a] = view.pixelOf(*anchors.axes[a]);
   }
   overlay_->setAxisLetters(ends, axesShown);
-  std::vector<QRectF> taken = {QRectF(tools_->geometry())};
+  LabelRoom room;
+  std::vector<QRectF>& taken = room.taken;
+  taken = {QRectF(tools_->geometry())};
   if (note_->isVisibleTo(viewport_)) taken.push_back(notePlace());
   if (stepTools_ && stepTools_->isVisibleTo(viewport_)) taken.push_back(QRectF(stepTools_->geometry()));
   for (const PlacedDimension& each : placeDimensions(dimensions_, X_BS_, view)) taken.push_back(each.label);
   if (axesShown)
-    for (const QPointF& end : ends) taken.push_back(QRectF(end - QPointF(9, 9), QSizeF(18, 18)));
-  overlay_->setLabels(std::move(labels), std::move(taken), std::move(subjects));
+    for (const QPointF& end : ends) room.letters.push_back(QRectF(end - QPointF(9, 9), QSizeF(18, 18)));
+  room.subjects = std::move(subjects);
+  room.arm = linkPlaces();
+  overlay_->setLabels(std::move(labels), std::move(room));
+}
+
+std::vector<QRectF> RobotView::linkPlaces() const {
+  std::vector<QRectF> places;
+  if (!scene_.look) return places;
+  constexpr double kThick = 0.06;  // [m] Half of a link
+  const HandleSet::View view = viewport_->shownView();
+  for (std::size_t k = 0; k + 1 < scene_.X_BL.size(); ++k) {
+    const Vector3d from = scene_.X_BL[k].translation(), to = scene_.X_BL[k + 1].translation();
+    const double thick = QLineF(view.pixelOf(from), view.pixelOf(from + kThick * Vector3d::UnitZ())).length();
+    places.push_back(QRectF(view.pixelOf(from), view.pixelOf(to)).normalized().adjusted(-thick, -thick, thick, thick));
+  }
+  return places;
 }
 
 std::vector<QRectF> RobotView::namedPlaces() const {

@@ -5,7 +5,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPalette>
 #include <QStyle>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -28,19 +27,17 @@ WeightField::WeightField(const QString& name, const QString& id, const QString& 
   field_ = new QLineEdit(this);
   field_->setObjectName(id);
   field_->setPlaceholderText(placeholder);
-  QPalette pale = field_->palette();
-  pale.setColor(QPalette::PlaceholderText, theme().text3);
-  field_->setPalette(pale);
+  dimPlaceholder(field_);
   field_->setAccessibleName(name);
   field_->setToolTip(tr("What the scale shows for everything behind the sensor; may be left open."));
-  field_->setMinimumSize(60, 36);
+  field_->setMinimumSize(60, 40);
   field_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   unit_ = new QComboBox(this);
   unit_->setObjectName(id + "Unit");
   unit_->addItems({QStringLiteral("kg"), QStringLiteral("g")});
   unit_->setAccessibleName(tr("Unit of the weight"));
   unit_->setToolTip(tr("Unit of the weight"));
-  unit_->setFixedSize(58, 36);
+  unit_->setFixedSize(58, 40);
   row->addWidget(field_, 1);
   row->addWidget(unit_);
   setFocusProxy(field_);

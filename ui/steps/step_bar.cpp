@@ -40,8 +40,11 @@ void StepButton::paintEvent(QPaintEvent*) {
   painter.fillRect(QRect(width() - 1, 0, 1, height()), t.line);
   if (now) painter.fillRect(QRect(0, height() - 3, width(), 3), t.accent);
 
-  constexpr int kIcon = 22, kIconLeft = 18;
-  const QRectF circle(kIconLeft, (height() - kIcon) / 2.0, kIcon, kIcon);
+  // Where the bar is narrow, words take the room of the margins.
+  const bool narrow = width() < 200;
+  constexpr int kIcon = 22;
+  const int iconLeft = narrow ? 10 : 18;
+  const QRectF circle(iconLeft, (height() - kIcon) / 2.0, kIcon, kIcon);
   const bool done = state_.progress == StepState::Progress::done;
   const bool asks = state_.light == Light::look && state_.progress == StepState::Progress::ready;
   if (done || asks) {
@@ -55,8 +58,8 @@ void StepButton::paintEvent(QPaintEvent*) {
     painter.drawText(circle, Qt::AlignCenter, QString::number(number_));
   }
 
-  const int left = kIconLeft + kIcon + 12;
-  const QRect text(left, 0, width() - left - 8, height());
+  const int left = iconLeft + kIcon + (narrow ? 8 : 12);
+  const QRect text(left, 0, width() - left - (narrow ? 4 : 8), height());
   const QFont nameFont = uiFont(15, QFont::DemiBold), lineFont = uiFont(type::kCaption);
   const bool quiet = !done && !now && !next && !asks;
   painter.setFont(nameFont);

@@ -5,10 +5,12 @@
 #include <QPixmap>
 #include <QUndoStack>
 #include <algorithm>
+#include <tuple>
 
 #include "core/base/json_file.h"
 #include "ui/controller/robot_choice.h"
 #include "ui/main_window/main_window.h"
+#include "ui/models/units.h"
 #include "ui/robot_view/robot_view.h"
 #include "ui/studio/studio.h"
 #include "ui/timeline/time_axis.h"
@@ -30,6 +32,7 @@ Error wrong(const QString& sentence) { return Error{sentence.toStdString()}; }
 
 std::string ScriptRunner::help() {
   return "  open FILE ...                     recordings, or a session (.heft)\n"
+         "  sample clean|hose|delay           a recording to try with, made by the simulation\n"
          "  robot FILE                        the robot that was recorded (URDF); goes into the recording's meta file\n"
          "  step NAME                         record, mark, shape, result, reality-check, export\n"
          "  estimate                          estimate again\n"
@@ -59,6 +62,7 @@ std::string ScriptRunner::help() {
          "  measure A B | table FILE          two cursors; the visible stretch as CSV\n"
          "  camera NAME                       whole, tool, front, side, top\n"
          "  details on|off | theme light|dark | language en|de | size WIDTHxHEIGHT\n"
+         "  units WORD ...                    kg or g, mm or inch, Nm or Nmm, degrees or radians\n"
          "  manual                            open or close the manual\n"
          "  click NAME                        a button by its object name\n"
          "  picture FILE [window|view|plots|panel]\n"
@@ -210,6 +214,25 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
     if (!studio_->setLanguage(words.value(1)))
       return wrong(tr("language expects one of %1.").arg(Studio::languages().join(", ")));
     return true;
+  }
+  if (verb == "units" && words.size() > 1) {
+    UnitChoice choice = units();
+    const std::tuple<const char*, bool UnitChoice::*, bool> known[] = {{"kg", &UnitChoice::grams, false},
+                                                                       {"g", &UnitChoice::grams, true},
+                                                                       {"mm", &UnitChoice::inches, false},
+                                                                       {"inch", &UnitChoice::inches, true},
+                                                                       {"Nm", &UnitChoice::newtonMillimetres, false},
+                                                                       {"Nmm", &UnitChoice::newtonMillimetres, true},
+                                                                       {"degrees", &UnitChoice::radians, false},
+                                                                       {"radians", &UnitChoice::radians, true}};
+    for (const QString& word : words.mid(1)) {
+      const auto it = std::find_if(std::begin(known), std::end(known),
+                                   [&](const auto& each) { return word == QLatin1String(std::get<0>(each)); });
+      if (it == std::end(known))
+        return wrong(tr("%1 is no unit; units expects kg, g, mm, inch, Nm, Nmm, degrees or radians.").arg(word));
+      choice.*std::get<1>(*it) = std::get<2>(*it);
+    }
+    return studio_->setUnits(choice), Result<bool>(true);
   }
   if (verb == "size") {
     const auto size = parseSize(words.value(1));

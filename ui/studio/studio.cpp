@@ -36,6 +36,8 @@ Studio::Studio(QApplication& application, const StudioOptions& options) : applic
     if (theme.isEmpty()) theme = settings.value("window/theme").toString();
     if (language.isEmpty()) language = settings.value("window/language").toString();
     if (language.isEmpty()) language = QLocale::system().name().left(2);
+    heft::setUnits({settings.value("units/grams").toBool(), settings.value("units/inches").toBool(),
+                    settings.value("units/newton_millimetres").toBool(), settings.value("units/radians").toBool()});
   }
   applyTheme(application_, theme == "dark" ? ThemeKind::dark : ThemeKind::light);
   useTexts(languages().contains(language) ? language : QStringLiteral("en"));
@@ -80,6 +82,9 @@ void Studio::buildWindow() {
   connect(window, &MainWindow::themeWanted, this, &Studio::setTheme);
   // The window that asks is replaced: after it has returned from its menu.
   connect(
+      window, &MainWindow::unitsWanted, this, [this](const UnitChoice& units) { setUnits(units); },
+      Qt::QueuedConnection);
+  connect(
       window, &MainWindow::languageWanted, this, [this](const QString& language) { setLanguage(language); },
       Qt::QueuedConnection);
   if (options_.offscreen) {
@@ -98,13 +103,32 @@ bool Studio::setLanguage(const QString& language) {
   if (!languages().contains(language)) return false;
   if (language == language_) return true;
   if (!options_.offscreen) QSettings().setValue("window/language", language);
+  rebuildWindow([this, &language] { useTexts(language); });
+  // What core found out is said anew.
+  workspace_.estimate();
+  return true;
+}
+
+void Studio::setUnits(const UnitChoice& units) {
+  if (units == heft::units()) return;
+  if (!options_.offscreen) {
+    QSettings settings;
+    settings.setValue("units/grams", units.grams);
+    settings.setValue("units/inches", units.inches);
+    settings.setValue("units/newton_millimetres", units.newtonMillimetres);
+    settings.setValue("units/radians", units.radians);
+  }
+  rebuildWindow([&units] { heft::setUnits(units); });
+}
+
+void Studio::rebuildWindow(const std::function<void()>& change) {
   // What was only a matter of looking goes along to the new window.
   const QByteArray geometry = window_->saveGeometry();
   const bool shown = window_->isVisible(), details = window_->detailsShown();
   const Step step = window_->step();
   const double time = window_->playback()->time();
   const double from = window_->recordingPane()->timeAxis()->lower(), to = window_->recordingPane()->timeAxis()->upper();
-  useTexts(language);
+  change();
   buildWindow();
   if (!options_.offscreen) window_->restoreGeometry(geometry);
   if (shown) window_->show();
@@ -112,9 +136,6 @@ bool Studio::setLanguage(const QString& language) {
   window_->showDetails(details);
   window_->playback()->setTime(time);
   window_->recordingPane()->timeAxis()->show(from, to);
-  // What core found out is said anew.
-  workspace_.estimate();
-  return true;
 }
 
 void Studio::setSize(QSize size) {

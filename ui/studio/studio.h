@@ -5,10 +5,12 @@
 #include <QSize>
 #include <QStringList>
 #include <QTranslator>
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "ui/controller/workspace.h"
+#include "ui/models/units.h"
 #include "ui/theme/theme.h"
 
 class QApplication;
@@ -37,6 +39,8 @@ class Studio : public QObject {
   /// False if there are no texts in that language.
   bool setLanguage(const QString& language);
   QString language() const { return language_; }
+  /// Of the numbers on the screen; remembered like theme and language.
+  void setUnits(const UnitChoice& units);
   void setSize(QSize size);
   /// Somebody logs out: recordings and what is open are kept for the next start.
   void endBySystem();
@@ -48,6 +52,8 @@ class Studio : public QObject {
  private:
   void useTexts(const QString& language);
   void buildWindow();
+  /// The same window with other words or units: step, time and zoom stay.
+  void rebuildWindow(const std::function<void()>& change);
 
   QApplication& application_;
   StudioOptions options_;

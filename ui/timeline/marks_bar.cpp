@@ -222,7 +222,9 @@ void MarksBar::paintSegment(QPainter& painter, const QRectF& bar, std::size_t in
   const double wide = painter.fontMetrics().horizontalAdvance(word);
   const QString text = wide + 10 < shown.width()         ? word
                        : suggested && shown.width() > 14 ? QStringLiteral("?")
-                                                         : QString();
+                       : shown.width() > 26
+                           ? painter.fontMetrics().elidedText(word, Qt::ElideRight, static_cast<int>(shown.width()) - 4)
+                           : QString();
   if (text.isEmpty()) return;
   if (suggested) {
     const double half = painter.fontMetrics().horizontalAdvance(text) / 2.0 + 4;
@@ -243,8 +245,9 @@ void MarksBar::paintTicks(QPainter& painter, const QRectF& bar) const {
   const double step = tickStep(axis_->span(), bar.width() / 75.0, axis_->poses());
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
   bool first = true;
-  for (double tick = std::ceil(axis_->lower() / step - 1e-9) * step; tick <= axis_->upper() + 1e-9 * step;
-       tick += step) {
+  // The last sample lies a little before a round number.
+  const double reach = axis_->upper() + std::max(1e-9 * step, 0.004 * axis_->span());
+  for (double tick = std::ceil(axis_->lower() / step - 1e-9) * step; tick <= reach; tick += step) {
     const double x = axis_->toX(tick, width());
     QString text = numberText(tick, decimals);
     if (first) text = axis_->poses() ? tr("pose %1").arg(text) : text + QStringLiteral(" s");

@@ -2,8 +2,11 @@
 
 #include <QCoreApplication>
 #include <QEvent>
+#include <QLineEdit>
 #include <QPainter>
+#include <QStyle>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include "ui/theme/icons.h"
 #include "ui/theme/theme.h"
@@ -129,6 +132,18 @@ QLabel* wrappedLabel(const QString& text, const char* style, QWidget* parent) {
   QLabel* label = styledLabel(text, style, parent);
   label->setWordWrap(true);
   return label;
+}
+
+void dimPlaceholder(QLineEdit* field) {
+  const auto mark = [field] {
+    field->setProperty("empty", field->text().isEmpty());
+    field->style()->unpolish(field);
+    field->style()->polish(field);
+  };
+  QObject::connect(field, &QLineEdit::textChanged, field, [field, mark] {
+    if (field->property("empty").toBool() != field->text().isEmpty()) mark();
+  });
+  mark();
 }
 
 AxisDot::AxisDot(int axis, QWidget* parent) : QLabel(parent), axis_(axis) {

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QToolButton>
 
+class QLineEdit;
 class QVBoxLayout;
 
 namespace heft {
@@ -61,6 +62,9 @@ class IconLabel : public QWidget {
 QLabel* styledLabel(const QString& text, const char* style, QWidget* parent = nullptr);
 /// The same over several lines.
 QLabel* wrappedLabel(const QString& text, const char* style, QWidget* parent = nullptr);
+
+/// Sets what stands in an empty field in the colour of remarks, so that it does not look like a value.
+void dimPlaceholder(QLineEdit* field);
 
 /// A dot in the colour of an axis: 0 x, 1 y, 2 z.
 class AxisDot : public QLabel {

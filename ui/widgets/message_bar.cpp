@@ -1,7 +1,9 @@
 #include "ui/widgets/message_bar.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLayout>
 #include <QPushButton>
 #include <QStringList>
 #include <QVBoxLayout>
@@ -14,7 +16,8 @@ namespace heft {
 namespace {
 
 constexpr std::size_t kMost = 3;  ///< Messages at once
-constexpr int kReadable = 10000;  ///< [ms] Information stands so long.
+constexpr int kReadable = 10000;  ///< [ms] Information stands so long,
+constexpr int kOffered = 30000;   ///< and with a button so long.
 
 }  // namespace
 
@@ -25,12 +28,12 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   rows_->setContentsMargins(0, 0, 0, 0);
   rows_->setSpacing(0);
   fades_.setSingleShot(true);
-  fades_.setInterval(kReadable);
   connect(&fades_, &QTimer::timeout, this, [this] {
     const auto messages = messages_;
     for (const Message& message : messages)
       if (!message.stays) close(message.row);
   });
+  if (parent) parent->installEventFilter(this);
   hide();
 }
 
@@ -43,18 +46,43 @@ void MessageBar::showMessage(Severity severity, const QString& text, const QStri
     // The same once more, perhaps now with a button; or information that has been said.
     if (message.text == text || !message.stays) close(message.row);
   while (messages_.size() >= kMost) close(messages_.front().row);
-  Message message{severity, text, nullptr, severity != Severity::info || !action.isEmpty()};
+  Message message{severity, text, nullptr, severity != Severity::info, severity == Severity::info && parentWidget()};
   message.row = addRow(message, action, clicked);
-  rows_->addWidget(message.row);
+  if (!message.floats) rows_->addWidget(message.row);
   messages_.push_back(message);
   setAccessibleDescription(this->text());
-  if (!message.stays) fades_.start();
+  if (!message.stays) fades_.start(action.isEmpty() ? kReadable : kOffered);
+  if (message.floats) return placeFloating();
   show();
 }
 
+void MessageBar::placeFloating() {
+  constexpr int kWidest = 620, kEdge = 20, kGap = 12;  // [px]
+  // Below what stands above the bar, and at the left: the panel at the right is what one reads.
+  int top = (isVisible() ? height() : 0) + kGap;
+  const QLayout* column = parentWidget()->layout();
+  for (int k = 0; column && k < column->count() && column->itemAt(k)->widget() != this; ++k)
+    if (const QWidget* above = column->itemAt(k)->widget(); above && above->isVisible()) top += above->height();
+  for (const Message& message : messages_) {
+    if (!message.floats) continue;
+    const int wide = std::min(kWidest, parentWidget()->width() * 11 / 20 - 2 * kEdge);
+    const int needed = message.row->heightForWidth(wide), high = needed > 0 ? needed : message.row->sizeHint().height();
+    message.row->setGeometry(kEdge, top, wide, high);
+    message.row->show();
+    message.row->raise();
+    top += high + kGap;
+  }
+}
+
+bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) placeFloating();
+  return QFrame::eventFilter(watched, event);
+}
+
 QWidget* MessageBar::addRow(const Message& message, const QString& action, const std::function<void()>& clicked) {
-  auto* frame = new QFrame(this);
-  frame->setObjectName("messageBar");
+  auto* frame = new QFrame(message.floats ? parentWidget() : this);
+  frame->setObjectName(message.floats ? "toast" : "messageBar");
+  frame->setAttribute(Qt::WA_StyledBackground);
   frame->setProperty("severity", message.severity == Severity::error     ? "error"
                                  : message.severity == Severity::warning ? "warning"
                                                                          : "info");
@@ -92,7 +120,7 @@ void MessageBar::close(QWidget* row) {
   rows_->removeWidget(row);
   row->hide();
   row->deleteLater();
-  if (messages_.empty()) hide();
+  if (std::all_of(messages_.begin(), messages_.end(), [](const Message& each) { return each.floats; })) hide();
 }
 
 void MessageBar::clear() {

@@ -1,6 +1,7 @@
 #pragma once
 // Sentences at the top of the window instead of a dialog in its middle. A warning or an error stays until it is closed,
-// also when another one comes; plain information gives way to the next message and goes by itself.
+// also when another one comes; plain information floats over the window, so that nothing moves under the pointer, gives
+// way to the next message and goes by itself.
 #include <QFrame>
 #include <QTimer>
 #include <functional>
@@ -25,14 +26,20 @@ class MessageBar : public QFrame {
   /// Closes all of them.
   void clear();
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   struct Message {
     Severity severity;
     QString text;
     QWidget* row;
     bool stays;
+    bool floats;
   };
   void close(QWidget* row);
+  /// Where what floats stands in the window.
+  void placeFloating();
   QWidget* addRow(const Message& message, const QString& action, const std::function<void()>& clicked);
 
   QVBoxLayout* rows_;

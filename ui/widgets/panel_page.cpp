@@ -32,6 +32,12 @@ class PanelContent : public QWidget {
     });
     later_.start();
   }
+  void reserve(QLabel* label, const QStringList& texts) {
+    reserved_ = label;
+    texts_ = texts;
+    label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    fitHeight();
+  }
 
  protected:
   void resizeEvent(QResizeEvent* event) override {
@@ -64,10 +70,21 @@ class PanelContent : public QWidget {
   }
   void fitHeight() {
     if (!layout() || width() <= 0) return;
+    if (reserved_) {
+      const QMargins around = layout()->contentsMargins();
+      const QRect room(0, 0, width() - around.left() - around.right(), 10000);
+      int most = 0;
+      for (const QString& text : texts_)
+        most = std::max(most, reserved_->fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height());
+      constexpr int kRounding = 2;  // [px] Between the font's measure and the label's own
+      if (most + kRounding != reserved_->height()) reserved_->setFixedHeight(most + kRounding);
+    }
     const int needed = layout()->totalHeightForWidth(width());
     setMinimumHeight(needed > 0 ? needed : layout()->totalMinimumSize().height());
   }
   QTimer later_;
+  QLabel* reserved_ = nullptr;
+  QStringList texts_;
 };
 
 /// Where both buttons have no room beside each other, the second one is its icon alone.
@@ -185,6 +202,12 @@ void PanelPage::keepFocus() {
     }
     if (to) to->setFocus(Qt::OtherFocusReason);
   });
+}
+
+void PanelPage::reserveAnswers(const QStringList& answers) {
+  auto* page = static_cast<PanelContent*>(content());
+  if (auto* label = page ? page->findChild<QLabel*>("answer", Qt::FindDirectChildrenOnly) : nullptr)
+    page->reserve(label, answers);
 }
 
 void PanelPage::setQuestion(const QString& question, const QString& answer) {

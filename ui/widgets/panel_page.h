@@ -1,6 +1,7 @@
 #pragma once
 // A page of the panel at the right: one question, what answers it (scrolling), and at the foot the one thing to do
 // next.
+#include <QStringList>
 #include <QWidget>
 #include <functional>
 
@@ -17,6 +18,9 @@ class PanelPage : public QWidget {
 
   /// Empties the page and begins again with its question; the layout takes what follows, children of content().
   QVBoxLayout* restart(const QString& question, const QString& answer = {});
+  /// Keeps room under the question for the longest of these answers, so that what follows stays where it is from one
+  /// page to the next. After restart().
+  void reserveAnswers(const QStringList& answers);
   /// Only the words above; the rest stays.
   void setQuestion(const QString& question, const QString& answer);
   QWidget* content() const;

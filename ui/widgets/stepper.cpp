@@ -57,7 +57,7 @@ std::optional<double> parseMeasure(const QString& text, const QString& unit) {
 Stepper::Stepper(const QString& name, const QString& unit, const Range& range, QWidget* parent)
     : QFrame(parent), name_(name), unit_(unit), range_(range) {
   setProperty("role", "stepper");
-  setFixedHeight(36);
+  setFixedHeight(40);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(1, 1, 1, 1);
   row->setSpacing(0);
@@ -66,7 +66,7 @@ Stepper::Stepper(const QString& name, const QString& unit, const Range& range, Q
   for (QToolButton* button : {less_, more_}) {
     button->setFocusPolicy(Qt::NoFocus);  // The field's arrow keys do the same.
     button->setAutoRepeat(true);
-    button->setFixedSize(28, 32);
+    button->setFixedSize(28, 36);
     button->setIconSize(QSize(16, 16));
   }
   field_ = new QLineEdit(this);

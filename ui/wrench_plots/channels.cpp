@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/math/rigid.h"
+#include "ui/models/units.h"
 
 namespace heft {
 namespace {
@@ -14,7 +15,8 @@ struct ChannelWords {
   Q_DECLARE_TR_FUNCTIONS(Channels)
 };
 
-constexpr double kDegrees = 180.0 / M_PI;
+double perRadian() { return angleUnit().scale; }
+double perMetre() { return lengthUnit().scale; }
 constexpr double kHalfWindow = 0.01;  ///< [s] Of the differences that stand for a speed
 const double kNothing = std::numeric_limits<double>::quiet_NaN();
 
@@ -39,7 +41,7 @@ std::vector<double> rateOf(const VectorXd& time, const std::vector<double>& valu
   return out;
 }
 
-/// Roll, pitch or yaw [deg] about the base's fixed axes, without leaps of a whole turn.
+/// Roll, pitch or yaw [shown unit] about the base's fixed axes, without leaps of a whole turn.
 std::vector<double> angleOf(const Recording& recording, int axis) {
   std::vector<double> out;
   double before = 0.0, turns = 0.0;
@@ -52,14 +54,14 @@ std::vector<double> angleOf(const Recording& recording, int axis) {
     if (n > 0 && angle - before > M_PI) turns -= 2 * M_PI;
     if (n > 0 && angle - before < -M_PI) turns += 2 * M_PI;
     before = angle;
-    out.push_back(kDegrees * (angle + turns));
+    out.push_back(perRadian() * (angle + turns));
   }
   return out;
 }
 
-/// How fast the sensor turns [deg/s]: twice the angle between neighbouring orientations.
+/// How fast the sensor turns [shown unit a second]: twice the angle between neighbouring orientations.
 std::vector<double> turning(const Recording& recording) {
-  if (recording.twist.rows() > 0) return scaled(recording.twist.rightCols<3>().rowwise().norm(), kDegrees);
+  if (recording.twist.rows() > 0) return scaled(recording.twist.rightCols<3>().rowwise().norm(), perRadian());
   const VectorXd& time = recording.time;
   const Eigen::Index rows = std::min(recording.quaternion.rows(), time.size());
   std::vector<double> out(static_cast<std::size_t>(rows), kNothing);
@@ -69,17 +71,17 @@ std::vector<double> turning(const Recording& recording) {
     const Eigen::Index from = std::max<Eigen::Index>(0, n - reach), to = std::min(rows - 1, n + reach);
     if (to == from) continue;
     const double cosine = std::abs(recording.quaternion.row(from).dot(recording.quaternion.row(to)));
-    out[static_cast<std::size_t>(n)] = kDegrees * 2.0 * std::acos(std::min(1.0, cosine)) / (time(to) - time(from));
+    out[static_cast<std::size_t>(n)] = perRadian() * 2.0 * std::acos(std::min(1.0, cosine)) / (time(to) - time(from));
   }
   return out;
 }
 
-/// How fast the sensor moves [mm/s].
+/// How fast the sensor moves [shown unit a second].
 std::vector<double> moving(const Recording& recording) {
-  if (recording.twist.rows() > 0) return scaled(recording.twist.leftCols<3>().rowwise().norm(), 1e3);
+  if (recording.twist.rows() > 0) return scaled(recording.twist.leftCols<3>().rowwise().norm(), perMetre());
   std::vector<double> out(static_cast<std::size_t>(recording.position.rows()), 0.0);
   for (int axis = 0; axis < 3; ++axis) {
-    const std::vector<double> rate = rateOf(recording.time, scaled(recording.position.col(axis), 1e3));
+    const std::vector<double> rate = rateOf(recording.time, scaled(recording.position.col(axis), perMetre()));
     for (std::size_t n = 0; n < out.size(); ++n) out[n] += rate[n] * rate[n];
   }
   for (double& v : out) v = std::sqrt(v);
@@ -133,10 +135,10 @@ std::vector<Channel> channelsOf(const Recording& recording, bool poseFromJoints)
   const auto add = [&](const QString& id, const QString& label, const QString& group, const QString& unit) {
     out.push_back({id, label, group, unit});
   };
-  const QString degrees = QStringLiteral("°"), rate = QStringLiteral("°/s");
+  const QString angle = angleUnit().name, rate = angle + QStringLiteral("/s"), length = lengthUnit().name;
   if (recording.hasJoints()) {
     for (Eigen::Index k = 1; k <= recording.q.cols(); ++k)
-      add(QStringLiteral("q%1").arg(k), QStringLiteral("q%1").arg(k), ChannelWords::tr("Joint angles"), degrees);
+      add(QStringLiteral("q%1").arg(k), QStringLiteral("q%1").arg(k), ChannelWords::tr("Joint angles"), angle);
     for (Eigen::Index k = 1; k <= recording.q.cols(); ++k)
       add(QStringLiteral("dq%1").arg(k), QStringLiteral("dq%1").arg(k),
           recording.dq.rows() > 0 ? ChannelWords::tr("Joint speeds")
@@ -147,15 +149,15 @@ std::vector<Channel> channelsOf(const Recording& recording, bool poseFromJoints)
              turned = recording.hasOrientation() || poseFromJoints;
   if (position)
     for (const char* axis : kAxisNames)
-      add(QStringLiteral("p%1").arg(axis), axis, ChannelWords::tr("Sensor position"), QStringLiteral("mm"));
+      add(QStringLiteral("p%1").arg(axis), axis, ChannelWords::tr("Sensor position"), length);
   if (turned)
-    for (const char* angle : kAngleNames) add(angle, angle, ChannelWords::tr("Sensor orientation"), degrees);
+    for (const char* turn : kAngleNames) add(turn, turn, ChannelWords::tr("Sensor orientation"), angle);
   const QString sizes = ChannelWords::tr("Speeds and sizes");
-  if (position || recording.twist.rows() > 0) add("speed", QStringLiteral("|v|"), sizes, QStringLiteral("mm/s"));
+  if (position || recording.twist.rows() > 0) add("speed", QStringLiteral("|v|"), sizes, length + QStringLiteral("/s"));
   if (turned || recording.twist.rows() > 0) add("turning", QStringLiteral("|ω|"), sizes, rate);
   if (recording.wrench.rows() > 0) {
     add("force", QStringLiteral("|F|"), sizes, QStringLiteral("N"));
-    add("torque", QStringLiteral("|T|"), sizes, QStringLiteral("N m"));
+    add("torque", QStringLiteral("|T|"), sizes, torqueUnit().name);
   }
   for (const ExtraColumn& column : recording.extra) {
     const auto number = [](const std::string& cell) { return std::isfinite(numberIn(cell)); };
@@ -168,20 +170,20 @@ std::vector<Channel> channelsOf(const Recording& recording, bool poseFromJoints)
 
 std::vector<double> channelValues(const Recording& recording, const QString& id) {
   const Eigen::Index joints = recording.q.cols();
-  if (const int k = indexIn(id, "q", joints); k >= 0) return scaled(recording.q.col(k), kDegrees);
+  if (const int k = indexIn(id, "q", joints); k >= 0) return scaled(recording.q.col(k), perRadian());
   if (const int k = indexIn(id, "dq", joints); k >= 0)
-    return recording.dq.rows() > 0 ? scaled(recording.dq.col(k), kDegrees)
-                                   : rateOf(recording.time, scaled(recording.q.col(k), kDegrees));
+    return recording.dq.rows() > 0 ? scaled(recording.dq.col(k), perRadian())
+                                   : rateOf(recording.time, scaled(recording.q.col(k), perRadian()));
   for (int axis = 0; axis < 3; ++axis) {
     if (recording.hasPosition() && id == QStringLiteral("p%1").arg(kAxisNames[axis]))
-      return scaled(recording.position.col(axis), 1e3);
+      return scaled(recording.position.col(axis), perMetre());
     if (recording.hasOrientation() && id == QLatin1String(kAngleNames[axis])) return angleOf(recording, axis);
   }
   if (id == "speed" && (recording.hasPosition() || recording.twist.rows() > 0)) return moving(recording);
   if (id == "turning" && (recording.hasOrientation() || recording.twist.rows() > 0)) return turning(recording);
   if (recording.wrench.rows() == 0 && (id == "force" || id == "torque")) return {};
   if (id == "force") return scaled(recording.wrench.leftCols<3>().rowwise().norm(), 1.0);
-  if (id == "torque") return scaled(recording.wrench.rightCols<3>().rowwise().norm(), 1.0);
+  if (id == "torque") return scaled(recording.wrench.rightCols<3>().rowwise().norm(), torqueUnit().scale);
   for (const ExtraColumn& column : recording.extra) {
     if (id != kExtra + QString::fromStdString(column.name)) continue;
     std::vector<double> out;

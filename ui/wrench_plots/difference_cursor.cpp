@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/models/numbers.h"
+#include "ui/models/units.h"
 #include "ui/theme/theme.h"
 
 namespace heft {
@@ -18,10 +19,13 @@ std::vector<QStringList> cursorTable(const WrenchTraces& traces, double first, d
   rows.push_back({QString(), DifferenceCursor::tr("A"), DifferenceCursor::tr("B"), DifferenceCursor::tr("B − A")});
   row(traces.poses() ? DifferenceCursor::tr("pose") : DifferenceCursor::tr("time [s]"), first, second,
       traces.poses() ? 0 : 3);
-  static constexpr const char* kNames[6] = {"Fx [N]", "Fy [N]", "Fz [N]", "Tx [N m]", "Ty [N m]", "Tz [N m]"};
+  static constexpr const char* kNames[6] = {"Fx", "Fy", "Fz", "Tx", "Ty", "Tz"};
+  const ShownUnit torque = torqueUnit();
   for (int c = 0; c < 6; ++c) {
-    row(QString::fromLatin1(kNames[c]), traces.valueAt(WrenchTraces::Kind::measured, c, first),
-        traces.valueAt(WrenchTraces::Kind::measured, c, second), c < 3 ? 2 : 3);
+    const ShownUnit unit = c < 3 ? ShownUnit{QStringLiteral("N"), 1.0, 0} : torque;
+    row(QStringLiteral("%1 [%2]").arg(QLatin1String(kNames[c]), unit.name),
+        unit.scale * traces.valueAt(WrenchTraces::Kind::measured, c, first),
+        unit.scale * traces.valueAt(WrenchTraces::Kind::measured, c, second), (c < 3 ? 2 : 3) + unit.decimals);
   }
   return rows;
 }

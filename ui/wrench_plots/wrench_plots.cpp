@@ -15,8 +15,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "ui/models/numbers.h"
+#include "ui/models/units.h"
 #include "ui/theme/theme.h"
 #include "ui/timeline/marks_bar.h"
 #include "ui/timeline/time_mouse.h"
@@ -34,23 +37,35 @@ int firstChannel(int lane) { return lane < 2 ? 0 : 3; }
 /// Few ticks with a real minus sign; none so near an edge that its number would run into the next lane's.
 class LaneTicker : public QCPAxisTicker {
  public:
-  explicit LaneTicker(const QCPAxisRect* lane) : lane_(lane) {}
+  /// `scale`: from the curves' unit to the one that is shown.
+  LaneTicker(const QCPAxisRect* lane, double scale) : lane_(lane), scale_(scale) {}
 
  protected:
   QString getTickLabel(double tick, const QLocale&, QChar, int) override {
-    constexpr double kHalfNumber = 5.0;  // [px]
     const double above = (tick - range_.lower) / range_.size() * lane_->height();
     if (above < kHalfNumber || above > lane_->height() - kHalfNumber) return {};
     if (std::abs(tick) < 1e-9 * std::max(1.0, mTickStep_)) return QStringLiteral("0");
-    const double step = std::abs(mTickStep_);
+    const double step = scale_ * std::abs(mTickStep_);
     int decimals = 0;
     while (decimals < 6 && std::abs(std::round(step * std::pow(10, decimals)) - step * std::pow(10, decimals)) > 1e-6) {
       ++decimals;
     }
-    return numberText(tick, decimals);
+    return numberText(scale_ * tick, decimals);
   }
   double getTickStep(const QCPRange& range) override {
     range_ = range;
+    // About zero with little height: one number above and one below it, as far out as a number has room.
+    constexpr double kLow = 56.0;  // [px]
+    if (range.lower < 0.0 && range.upper > 0.0 && std::abs(range.lower + range.upper) < 1e-6 * range.size() &&
+        lane_->height() < kLow && lane_->height() > 4.0 * kHalfNumber) {
+      const double most = (1.0 - 2.0 * (kHalfNumber + 0.5) / lane_->height()) * range.upper * scale_;
+      const double decade = std::pow(10.0, std::floor(std::log10(most)));
+      constexpr double kApart = 10.0;  // [px] of numbers one above the other
+      for (const double round : {8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.5, 1.2, 1.0}) {
+        const double step = round * decade / scale_;
+        if (round * decade <= most && step / range.size() * lane_->height() >= kApart) return mTickStep_ = step;
+      }
+    }
     mTickStep_ = QCPAxisTicker::getTickStep(range);
     // In a low lane numbers must not touch each other; the next round step above, so that two of them remain.
     constexpr double kNumber = 12.0;  // [px]
@@ -65,7 +80,9 @@ class LaneTicker : public QCPAxisTicker {
   }
 
  private:
+  static constexpr double kHalfNumber = 4.0;  ///< [px] Half the height of a number: nearer to an edge it is left out
   const QCPAxisRect* lane_;
+  double scale_;
   QCPRange range_;
   double mTickStep_ = 1.0;
 };
@@ -85,9 +102,21 @@ class PlotCanvas : public QCustomPlot {
   bool freeScale() const { return freeScale_; }
   void setRescale(std::function<void()> rescale) { rescale_ = std::move(rescale); }
   void setSecond(double time) { second_ = time; }
+  /// What the user zoomed a lane's values to; nothing: as the curves need.
+  std::optional<QCPRange> values(int lane) const { return values_[static_cast<std::size_t>(lane)]; }
+  void forgetValues() { values_.fill({}); }
 
  protected:
-  void wheelEvent(QWheelEvent* event) override { TimeMouse::wheel(axis_, event, width()); }
+  void wheelEvent(QWheelEvent* event) override {
+    const int lane = axisRectIndex(event->position().toPoint());
+    if (!(event->modifiers() & Qt::ControlModifier) || lane < 0) return TimeMouse::wheel(axis_, event, width());
+    const QCPAxis* values = axisRect(lane)->axis(QCPAxis::atLeft);
+    const double factor = std::pow(0.8, event->angleDelta().y() / 120.0);
+    const double fixed = values->pixelToCoord(event->position().y());
+    showValues(lane, fixed + factor * (values->range().lower - fixed),
+               fixed + factor * (values->range().upper - fixed));
+    event->accept();
+  }
 
   void mousePressEvent(QMouseEvent* event) override {
     owner_->setFocus(Qt::MouseFocusReason);
@@ -108,6 +137,10 @@ class PlotCanvas : public QCustomPlot {
   void contextMenuEvent(QContextMenuEvent* event) override {
     QMenu menu(this);
     menu.addAction(WrenchPlots::tr("Show the whole recording"), axis_, &TimeAxis::showAll);
+    menu.addAction(WrenchPlots::tr("Scale the values to the curves"), this, [this] {
+      forgetValues();
+      if (rescale_) rescale_();
+    });
     QAction* free = menu.addAction(WrenchPlots::tr("Scale to the free parts"));
     free->setCheckable(true);
     free->setChecked(freeScale_);
@@ -141,6 +174,7 @@ class PlotCanvas : public QCustomPlot {
       setCursor(Qt::ClosedHandCursor);
     } else {
       band_ = {pressed_.x(), event->pos().x()};
+      box_ = brush_ ? std::nullopt : boxTo(event->pos());
       update();
     }
   }
@@ -150,6 +184,7 @@ class PlotCanvas : public QCustomPlot {
     mode_ = Mode::none;
     unsetCursor();
     band_ = {0, 0};
+    const auto box = std::exchange(box_, std::nullopt);
     update();
     if (mode == Mode::none || mode == Mode::second) return;
     const double from = axis_->toTime(pressed_.x(), width()), to = axis_->toTime(event->pos().x(), width());
@@ -158,11 +193,19 @@ class PlotCanvas : public QCustomPlot {
     } else if (mode == Mode::band && brush_) {
       emit owner_->stroked(std::min(from, to), std::max(from, to));
     } else if (mode == Mode::band) {
+      if (box) {
+        const QCPAxis* values = axisRect(box->lane)->axis(QCPAxis::atLeft);
+        showValues(box->lane, values->pixelToCoord(box->bottom), values->pixelToCoord(box->top));
+      }
       axis_->show(std::min(from, to), std::max(from, to));
     }
   }
 
-  void mouseDoubleClickEvent(QMouseEvent*) override { axis_->showAll(); }
+  void mouseDoubleClickEvent(QMouseEvent*) override {
+    forgetValues();
+    axis_->showAll();
+    if (rescale_) rescale_();
+  }
 
   void paintEvent(QPaintEvent* event) override {
     QCustomPlot::paintEvent(event);
@@ -174,9 +217,11 @@ class PlotCanvas : public QCustomPlot {
     if (band_.first == band_.second) return paintValues(painter);
     QColor fill = brush_ ? markColour(*brush_) : theme().text2;
     fill.setAlpha(brush_ ? 110 : 40);
-    const QRectF area(std::min(band_.first, band_.second), 0, std::abs(band_.second - band_.first), height());
+    QRectF area(std::min(band_.first, band_.second), 0, std::abs(band_.second - band_.first), height());
+    if (box_) area = QRectF(QPointF(area.left(), box_->top), QPointF(area.right(), box_->bottom));
     painter.fillRect(area, fill);
     painter.setPen(theme().text2);
+    if (box_) painter.drawRect(area);
     painter.drawLine(area.topLeft(), area.bottomLeft());
     painter.drawLine(area.topRight(), area.bottomRight());
   }
@@ -189,12 +234,14 @@ class PlotCanvas : public QCustomPlot {
     if (lane < 0 || traces.empty() || pointer_.x() < TimeAxis::kLeft || pointer_.x() > width() - TimeAxis::kRight)
       return;
     const double time = axis_->toTime(pointer_.x(), width());
-    const int first = firstChannel(lane), decimals = first == 0 ? 2 : 3;
+    const int first = firstChannel(lane);
+    const ShownUnit unit = first == 0 ? ShownUnit{QStringLiteral("N"), 1.0, 0} : torqueUnit();
+    const int decimals = (first == 0 ? 2 : 3) + unit.decimals;
     QStringList rows{timeText(time, traces.poses())};
     for (int c = 0; c < 3; ++c) {
       const auto read = [&](WrenchTraces::Kind kind) {
         const double value = traces.valueAt(kind, first + c, time);
-        return std::isfinite(value) ? numberText(value, decimals) : QString(QChar(0x2013));
+        return std::isfinite(value) ? numberText(unit.scale * value, decimals) : QString(QChar(0x2013));
       };
       const QString name = QString(QChar('x' + c));
       rows << (isDifference(lane) ? QStringLiteral("%1  %2").arg(name, read(WrenchTraces::Kind::difference))
@@ -230,8 +277,29 @@ class PlotCanvas : public QCustomPlot {
     return -1;
   }
 
+  /// Part of one lane's height that a drag goes over; a drag along the time has none.
+  struct Box {
+    int lane, top, bottom;  ///< [px]
+  };
+  std::optional<Box> boxTo(const QPoint& at) const {
+    constexpr int kLeast = 16;  // [px] A hand that draws a level line stays below it.
+    const int lane = axisRectIndex(pressed_);
+    if (lane < 0) return std::nullopt;
+    const QRect room = axisRect(lane)->rect();
+    if (std::abs(at.y() - pressed_.y()) < std::max(kLeast, room.height() / 3)) return std::nullopt;
+    const int end = std::clamp(at.y(), room.top(), room.bottom());
+    return Box{lane, std::min(pressed_.y(), end), std::max(pressed_.y(), end)};
+  }
+  void showValues(int lane, double lower, double upper) {
+    if (!(upper > lower)) return;
+    values_[static_cast<std::size_t>(lane)] = QCPRange(lower, upper);
+    if (rescale_) rescale_();
+  }
+
   enum class Mode { none, band, pan, second };
   QPoint pointer_{-1, -1};
+  std::array<std::optional<QCPRange>, kLanes> values_;
+  std::optional<Box> box_;
   bool freeScale_ = false;
   std::function<void()> rescale_;
   TimeAxis* axis_;
@@ -281,7 +349,7 @@ WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
   p.canvas->plotLayout()->setRowSpacing(kLaneGap);
   p.canvas->addLayer("marks", p.canvas->layer("grid"), QCustomPlot::limBelow);
   const QString titles[kLanes] = {tr("Force"), tr("difference"), tr("Torque"), tr("difference")};
-  const QString units[kLanes] = {tr("N"), QString(), tr("N m"), QString()};
+  const QString units[kLanes] = {tr("N"), QString(), torqueUnit().name, QString()};
   for (int lane = 0; lane < kLanes; ++lane) {
     auto* rect = new QCPAxisRect(p.canvas, true);
     p.rects[lane] = rect;
@@ -302,7 +370,7 @@ WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
     // The vertical grid needs ticks, which are invisible with length zero.
     rect->axis(QCPAxis::atBottom)->setTicks(true);
     rect->axis(QCPAxis::atBottom)->ticker()->setTickCount(11);
-    QSharedPointer<QCPAxisTicker> ticker(new LaneTicker(rect));
+    QSharedPointer<QCPAxisTicker> ticker(new LaneTicker(rect, firstChannel(lane) == 0 ? 1.0 : torqueUnit().scale));
     ticker->setTickCount(isDifference(lane) ? 2 : 3);
     rect->axis(QCPAxis::atLeft)->setTicker(ticker);
     rect->axis(QCPAxis::atLeft)->setTickLabelPadding(6);
@@ -328,7 +396,7 @@ WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
       item->position->setAxisRect(rect);
       item->position->setTypeX(QCPItemPosition::ptAbsolute);
       item->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
-      item->position->setCoords(12, isDifference(lane) ? 0.5 : 0.0);
+      item->position->setCoords(isDifference(lane) ? 8 : 12, isDifference(lane) ? 0.5 : 0.0);
       return item;
     };
     p.titles[lane] = addText(titles[lane]);
@@ -347,6 +415,8 @@ WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
 WrenchPlots::~WrenchPlots() = default;
 
 void WrenchPlots::setTraces(std::shared_ptr<const WrenchTraces> traces) {
+  // Values of another recording, or of none, are scaled to their own curves.
+  if (!traces || traces->lastTime() != traces_->lastTime()) parts_->canvas->forgetValues();
   traces_ = traces ? std::move(traces) : std::make_shared<WrenchTraces>();
   refresh();
 }
@@ -488,7 +558,7 @@ void WrenchPlots::rebuildBackgrounds() {
   accent.setAlpha(theme().dark ? 40 : 22);
   tintLanes(highlightFrom_, highlightTo_, QPen(theme().accent, 1.2, Qt::DashLine), accent);
   p.word = new QCPItemText(p.canvas);
-  p.word->setLayer("marks");
+  p.word->setLayer("overlay");  // Over the curves
   p.word->position->setAxisRect(p.rects[0]);
   p.word->position->setAxes(p.rects[0]->axis(QCPAxis::atBottom), p.rects[0]->axis(QCPAxis::atLeft));
   p.word->position->setTypeX(QCPItemPosition::ptPlotCoords);
@@ -544,7 +614,8 @@ void WrenchPlots::refresh() {
       lower -= margin;
       upper += margin;
     }
-    for (auto* line : {rect->axis(QCPAxis::atLeft), rect->axis(QCPAxis::atRight)}) line->setRange(lower, upper);
+    const QCPRange values = p.canvas->values(lane).value_or(QCPRange(lower, upper));
+    for (auto* line : {rect->axis(QCPAxis::atLeft), rect->axis(QCPAxis::atRight)}) line->setRange(values);
 
     std::vector<TracePlottable::Trace> traces;
     const auto add = [&](WrenchTraces::Kind kind, Shown shownAs, const std::array<QColor, 3>& colours,

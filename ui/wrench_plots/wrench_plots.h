@@ -11,8 +11,9 @@
 
 namespace heft {
 
-/// Wheel zooms time about the pointer; dragging draws a rubber band and zooms to it; Shift or the middle button drags
-/// the view; a click moves the cursor; a double click shows everything. Keys: arrows move the cursor, + - 0 zoom.
+/// Wheel zooms time about the pointer, with Ctrl the lane's values; dragging draws a rubber band and zooms to it, over
+/// a good part of a lane's height a box, to which the values are zoomed, too; Shift or the middle button drags the
+/// view; a click moves the cursor; a double click shows everything. Keys: arrows move the cursor, + - 0 zoom.
 class WrenchPlots : public QWidget {
   Q_OBJECT
  public:

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <string_view>
 #include <utility>
 
 #include "core/base/say.h"
 #include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/model/noise.h"
 #include "core/diagnosis/wording/words.h"
 #include "core/math/periodogram.h"
 
@@ -40,11 +42,10 @@ TellingStretch tellingStretch(const DiagnosisSeries& series, const DiagnosedCaus
   const double seconds = family == Family::timing ? 0.5 : 4.0;
   if (const auto channel = sentenceChannel(cause))
     return tellingStretch(series, cause.before, cause.after, seconds, *channel, *channel + 1);
-  const bool ofForce =
-      (family == Family::externalForce || family == Family::load || family == Family::contact) &&
-      std::ranges::none_of(cause.parameters, [](const CauseParameter& p) {
-        return p.unit.starts_with("N m") || p.name.starts_with("turning");
-      });
+  const bool ofForce = (family == Family::externalForce || family == Family::load || family == Family::contact) &&
+                       std::ranges::none_of(cause.parameters, [](const CauseParameter& p) {
+                         return p.unit.starts_with("N m") || p.name.starts_with("turning");
+                       });
   return tellingStretch(series, cause.before, cause.after, seconds, 0, ofForce ? 3 : 6);
 }
 
@@ -106,6 +107,22 @@ Spectrum spectrumOf(const DiagnosisSeries& series, bool torque) {
   std::nth_element(high.begin(), high.begin() + static_cast<std::ptrdiff_t>(high.size() / 2), high.end());
   out.floor = high.empty() ? 0.0 : high[high.size() / 2];
   return out;
+}
+
+VectorXd noiseLevel(const DiagnosisSeries& series, bool torque, const VectorXd& frequency) {
+  const double rate = rateOf(series);
+  const Noise noise = fitNoise(series.measured - series.after, stretchesOf(series.judged), nullptr);
+  VectorXd power = VectorXd::Zero(frequency.size());
+  for (std::size_t c = torque ? 3 : 0; c < (torque ? 6u : 3u); ++c) {
+    const ArModel& model = noise.channels[c];
+    for (Eigen::Index k = 0; k < frequency.size(); ++k) {
+      std::complex<double> denominator(1.0);
+      for (int j = 0; j < model.order(); ++j)
+        denominator -= model.coefficients(j) * std::polar(1.0, -2.0 * M_PI * (j + 1) * frequency(k) / rate);
+      power(k) += 2.0 / rate * model.sigma * model.sigma / std::norm(denominator);
+    }
+  }
+  return (power / 3.0).cwiseSqrt();
 }
 
 Result<std::vector<Witness>> witnesses(const Recording& recording, const RobotModel* robot) {

@@ -28,6 +28,11 @@ struct Spectrum {
 /// Averaged over windows of 2.5 s that lie within judged stretches; empty if there is none.
 Spectrum spectrumOf(const DiagnosisSeries& series, bool torque);
 
+/// The noise that a verdict judges by, at these frequencies [Hz], in the unit of Spectrum::after: the autoregressive
+/// model of each channel, fitted to what is left over, root mean square over three channels. It is noise only where the
+/// verdict found nothing else in there.
+VectorXd noiseLevel(const DiagnosisSeries& series, bool torque, const VectorXd& frequency);
+
 /// Something about the motion that a difference may go with, at series.time.
 struct Witness {
   std::string id;  ///< "gravity_x", "speed_z", "load", ...; the part before the last _ is its kind.

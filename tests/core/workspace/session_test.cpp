@@ -28,6 +28,8 @@ class SessionTest : public testing::Test {
         {folder / "data" / "a.csv", {{1.5, 2.5, MarkLabel::contact}}, R"({"schema":"x"})", "", {}});
     session.recordings.push_back({folder / "b.csv", {}, "", "", {}});
     session.recordings.back().corrections = {{"cable_pull", "contact"}, R"({"schema":"heft.diagnose/1"})"};
+    session.recordings[0].name = "first try";
+    session.joined = true;
     session.active = 1;
     session.shape.answer = ShapeChoice::Answer::given;
     session.shape.picture = "gripper";
@@ -59,6 +61,9 @@ TEST_F(SessionTest, ComesBackAsItWasSaved) {
   const auto after = readSession(file);
   ASSERT_TRUE(after.ok()) << after.error().message;
   ASSERT_EQ(after->recordings.size(), 2u);
+  EXPECT_EQ(after->recordings[0].name, "first try");
+  EXPECT_TRUE(after->recordings[1].name.empty());
+  EXPECT_TRUE(after->joined);
   EXPECT_EQ(after->recordings[0].file, before.recordings[0].file);
   ASSERT_EQ(after->recordings[0].marks.size(), 1u);
   EXPECT_EQ(after->recordings[0].marks[0].label, MarkLabel::contact);

@@ -237,6 +237,18 @@ TEST(Views, TheSpectrumFallsToTheFloor) {
   EXPECT_NEAR(spectrum.after(last), spectrum.floor, spectrum.floor);
 }
 
+TEST(Views, TheNoiseOfTheVerdictLiesUnderTheSpectrum) {
+  const auto& series = pulled().report.series;
+  const auto spectrum = diagnosis::spectrumOf(series, false);
+  const VectorXd level = diagnosis::noiseLevel(series, false, spectrum.frequency);
+  ASSERT_EQ(level.size(), spectrum.after.size());
+  // Of what the cause leaves, at every frequency; of the pull itself not.
+  double ratio = 0.0;
+  for (Eigen::Index k = 0; k + 1 < level.size(); ++k) ratio += std::log(spectrum.after(k) / level(k));
+  EXPECT_NEAR(ratio / static_cast<double>(level.size() - 1), 0.0, 0.25);
+  EXPECT_GT(spectrum.before(0), 5.0 * level(0));
+}
+
 /// A part is taken up between two readings: when is known to about a reading, and a stretch that is left out with that
 /// moment in it is predicted all the same. It was "6.5 +- 1.0 s", and gained a third of what it does.
 TEST(Corrected, WhatHappensAtOnceHasItsTimeAndItsGain) {

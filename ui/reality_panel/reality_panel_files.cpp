@@ -1,0 +1,71 @@
+// Files that the reality check writes: the corrected meta file and the report of the session.
+#include <QFileDialog>
+#include <QFileInfo>
+#include <nlohmann/json.hpp>
+
+#include "core/base/json_file.h"
+#include "core/recording/csv_reader.h"
+#include "core/recording/meta_file.h"
+#include "ui/controller/diagnosis.h"
+#include "ui/controller/workspace.h"
+#include "ui/reality_panel/reality_panel.h"
+#include "ui/report/session_report.h"
+#include "ui/robot_view/robot_view.h"
+
+namespace heft {
+
+Result<bool> RealityPanel::writeMeta(const QString& file, bool replace) {
+  const auto opened = workspace().opened();
+  if (!opened || !found()) return refusal(tr("There is no reality check yet that could correct a meta file."));
+  const nlohmann::json changes = found()->report->metaChanges();
+  if (changes.empty()) return refusal(tr("The reality check proposes no change of the meta file."));
+  if (!replace && QFileInfo::exists(file)) return refusal(tr("%1 exists already and was not replaced.").arg(file));
+  const auto meta = mergedMeta(metaFileOf(opened->path.toStdString()), changes);
+  if (!meta) return meta.error();
+  return writeTextFile(file.toStdString(), meta->dump(2) + "\n");
+}
+
+void RealityPanel::saveMeta() {
+  const auto opened = workspace().opened();
+  if (!opened) return;
+  const QFileInfo info(opened->path);
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Save the corrected meta file"),
+      info.absolutePath() + "/" + info.completeBaseName() + "-corrected.meta.json", tr("Meta files (*.meta.json)"));
+  if (file.isEmpty()) return;
+  const auto written = writeMeta(file, true);
+  parts().say(written ? Severity::info : Severity::error,
+              written ? tr("Saved %1.").arg(file) : QString::fromStdString(written.error().message));
+}
+
+Result<bool> RealityPanel::writeReport(const QString& file, bool replace) {
+  if (!workspace().opened()) return refusal(tr("A report needs an open recording."));
+  ReportParts content;
+  content.workspace = &workspace();
+  // A riddle that is still to be guessed is not given away on paper.
+  if (!riddle()) content.diagnosis = report();
+  if (parts().view) {
+    parts().view->renderNow();
+    content.view = parts().view->grab().toImage();
+  }
+  return writeSessionReport(content, file, replace);
+}
+
+void RealityPanel::saveReport() {
+  const auto opened = workspace().opened();
+  if (!opened) return parts().say(Severity::info, tr("Open a recording first."));
+  const QFileInfo info(opened->path);
+  QString chosen;
+  QString file = QFileDialog::getSaveFileName(this, tr("Save a report of the session"),
+                                              info.absolutePath() + "/" + info.completeBaseName() + "-report.pdf",
+                                              tr("PDF (*.pdf);;Web page (*.html)"), &chosen);
+  if (file.isEmpty()) return;
+  // The dialog asked about a name with an ending only.
+  const bool asked = !QFileInfo(file).suffix().isEmpty();
+  if (!asked) file += chosen.contains("html") ? ".html" : ".pdf";
+  const auto written = writeReport(file, asked);
+  parts().say(written ? Severity::info : Severity::error,
+              written ? tr("Saved %1.").arg(file) : QString::fromStdString(written.error().message));
+}
+
+}  // namespace heft

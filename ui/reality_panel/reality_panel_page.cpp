@@ -1,0 +1,231 @@
+// What the page of the reality check shows: waiting, a riddle, or cards of causes and what belongs to them.
+#include <QFileInfo>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRandomGenerator>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+
+#include "core/simulation/practice.h"
+#include "ui/controller/diagnosis.h"
+#include "ui/controller/workspace.h"
+#include "ui/reality_panel/cause_card.h"
+#include "ui/reality_panel/cause_words.h"
+#include "ui/reality_panel/deciding_motion.h"
+#include "ui/reality_panel/difference_pane.h"
+#include "ui/reality_panel/practice.h"
+#include "ui/reality_panel/reality_page.h"
+#include "ui/reality_panel/reality_panel.h"
+#include "ui/wrench_plots/recording_pane.h"
+
+namespace heft {
+
+void RealityPanel::showWaiting() {
+  QVBoxLayout* column = page()->restart(
+      tr("Looking for causes …"),
+      isOfPoses() ? tr("Heft compares the poses with each other, and with what gravity makes of a rigid tool.")
+                  : tr("Heft compares the recording with what the simulation expects, and with 200 simulated clean "
+                       "ones."));
+  bar_ = new QProgressBar(page()->content());
+  bar_->setRange(0, 1000);
+  bar_->setValue(static_cast<int>(1000 * jobs_.fraction()));
+  bar_->setTextVisible(false);
+  bar_->setAccessibleName(tr("Progress"));
+  column->addWidget(bar_);
+  column->addStretch(1);
+  page()->setMainButton({});
+  page()->setSecondButton(tr("Stop"), [this] {
+    page()->secondButton()->setText(tr("Stopping …"));
+    page()->secondButton()->setEnabled(false);
+    jobs_.cancel();
+  });
+}
+
+void RealityPanel::refresh() {
+  bar_ = nullptr;
+  const auto opened = workspace().opened();
+  const int position = page()->scrollPosition();
+  pane_->showReport(report(), witnesses(), riddle());
+  arrange();
+  markPull();
+  page()->setSecondButton({});
+  page()->secondButton()->setEnabled(true);
+  if (!opened) {
+    page()
+        ->restart(tr("What does the simulation get wrong?"),
+                  tr("Open a recording first, or take one from the menu Practice."))
+        ->addStretch(1);
+    page()->setMainButton(tr("Go to Record"), [this] { parts().goTo(Step::record); });
+  } else if (riddle()) {
+    QVBoxLayout* column = page()->restart(tr("What is wrong with this recording?"),
+                                          tr("One fault of the rig is hidden in it. Look, then guess."));
+    RiddleActions does;
+    does.guessed = [this](const std::string& id) { guess(id); };
+    does.hintWanted = [this, path = opened->path] {
+      found_[path].hinted = true;
+      refresh();
+    };
+    does.gaveUp = [this, path = opened->path] { guess(found_[path].tried); };
+    addGuesses(column, page()->content(), practiceEffect(*practiceSeed(opened->path)).id, found_.value(opened->path),
+               does);
+    column->addStretch(1);
+    page()->setMainButton({});
+  } else if (jobs_.running()) {
+    showWaiting();
+  } else if (!found()) {
+    const int count = static_cast<int>(workspace().corrections().causes.size());
+    page()
+        ->restart(tr("What does the simulation get wrong?"),
+                  !failure_.isEmpty() ? failure_
+                  : count > 0         ? tr("%n correction(s) of an earlier check are part of the result.", "", count)
+                                      : tr("Heft looks for what the model of a rigid tool cannot explain."))
+        ->addStretch(1);
+    page()->setMainButton(tr("Look for causes"), [this] { diagnose(); });
+  } else {
+    showReport(*found());
+    page()->setScrollPosition(position);
+  }
+  emit stateChanged();
+}
+
+CardActions RealityPanel::actions() {
+  CardActions out;
+  out.apply = [this](const std::string& id) { apply(id); };
+  out.undo = [this](const std::string& id) { takeBack(id); };
+  out.record = [this](const std::string& id) { recordFor(id); };
+  if (motion_ && motion_->possible()) out.showMotion = [this](const std::string& id) { showMotion(id); };
+  out.show = [this](const std::string& id) {
+    if (!found()) return;
+    for (const DiagnosedCause& cause : found()->report->causes) {
+      if (cause.id != id || !parts().plots) continue;
+      // Framed in the plots, too, for whoever goes there.
+      const auto stretch = telling(*found()->report, cause);
+      parts().plots->highlight(stretch.from, stretch.to, tr("shows best here"));
+    }
+    pane_->setView(DifferencePane::View::time);
+    pane_->showCause(id);
+    look(true);
+  };
+  out.detailsShown = [this](const std::string& id, bool on) {
+    if (on) {
+      open_.insert(QString::fromStdString(id));
+    } else {
+      open_.remove(QString::fromStdString(id));
+    }
+  };
+  return out;
+}
+
+/// What changes the result comes first; what Heft allows for anyway is folded away below.
+void RealityPanel::addCards(QVBoxLayout* column, const Found& found, bool& someNext) {
+  const DiagnosisReport& report = *found.report;
+  QWidget* content = page()->content();
+  const std::vector<Segment> segments = workspace().segments();
+  const CardActions does = actions();
+  const auto stateOf = [&](const DiagnosedCause& cause) {
+    CardState state;
+    state.applied = applied(cause.id);
+    state.leftOut = !state.applied && leftOutAlready(cause, segments);
+    state.applicable = canApply(report, cause) && !state.leftOut;
+    state.details = details_ || open_.contains(QString::fromStdString(cause.id));
+    state.next = !someNext && !state.applied && state.applicable && helpsUnseen(cause) && !isTied(cause) &&
+                 !leavesMuch(report, cause);
+    someNext = someNext || state.next;
+    return state;
+  };
+  const auto reading = std::ranges::find_if(report.causes, [&](const auto& c) { return isReading(report, c); });
+  if (reading != report.causes.end())
+    column->addWidget(
+        makeReadingCard(report, *reading, found.curves ? &*found.curves : nullptr, stateOf(*reading), does, content));
+  std::vector<QWidget*> handled;
+  for (auto it = report.causes.begin(); it != report.causes.end(); ++it) {
+    if (it == reading) continue;
+    const DiagnosedCause& cause = *it;
+    const CardState state = stateOf(cause);
+    QWidget* card = (isTied(cause) ? makeTieCard : makeCauseCard)(report, cause, state, does, content);
+    if (state.applied || state.applicable || isTied(cause)) {
+      column->addWidget(card);
+    } else {
+      handled.push_back(card);
+    }
+  }
+  if (handled.empty()) return;
+  const bool only = handled.size() == report.causes.size();
+  if (!only) {
+    auto* fold =
+        new QPushButton(tr("%n finding(s) that Heft allows for", "", static_cast<int>(handled.size())), content);
+    fold->setObjectName("handledButton");
+    fold->setProperty("role", "plain");
+    fold->setCheckable(true);
+    fold->setChecked(handledShown_);
+    connect(fold, &QPushButton::toggled, this, [this, handled](bool on) {
+      handledShown_ = on;
+      for (QWidget* card : handled) card->setVisible(on);
+    });
+    column->addWidget(fold);
+  }
+  for (QWidget* card : handled) {
+    column->addWidget(card);
+    card->setVisible(only || handledShown_);
+  }
+}
+
+void RealityPanel::showReport(const Found& found) {
+  const DiagnosisReport& report = *found.report;
+  int count = 0;
+  for (const auto& cause : report.causes) count += applied(cause.id) ? 1 : 0;
+  VerdictText verdict = verdictText(report, count);
+  const auto reading = std::ranges::find_if(report.causes, [&](const auto& c) { return isReading(report, c); });
+  if (reading != report.causes.end() && !applied(reading->id))
+    verdict = {tr("The numbers mean something else"),
+               tr("Read the recording as physics says first; the rest of this page takes it as read so.")};
+  QVBoxLayout* column = page()->restart(verdict.question, verdict.answer);
+  QWidget* content = page()->content();
+  if (const auto seed = practiceSeed(workspace().opened()->path); seed && !found.guess.empty())
+    addFeedback(column, content, practiceEffect(*seed).id, found, findings_->score,
+                [this] { practise(QRandomGenerator::global()->bounded(1u, 1000000u)); });
+  if (outdated()) {
+    const Card card = makeCard("cardLook", content);
+    card.layout->addWidget(wrappedLabel(tr("The marks changed since Heft looked."), "body", card.frame));
+    column->addWidget(card.frame);
+  }
+  if (report.verdict == Verdict::clean) column->addWidget(makeCleanCard(report, content));
+  bool someNext = outdated();
+  addCards(column, found, someNext);
+  if (report.verdict == Verdict::unexplained) column->addWidget(makeUnknownCard(report, actions(), content));
+  // Of what cannot be applied there is nothing to say here.
+  const bool mayChange = count > 0 || std::ranges::any_of(report.causes, [&](const DiagnosedCause& cause) {
+                           return canApply(report, cause) && !leftOutAlready(cause, workspace().segments());
+                         });
+  if (mayChange) addChange(column, content, report, count);
+  addMetaProposal(
+      column, content, report, details_, [this] { saveMeta(); }, parts().editRig);
+  auto* closer = new QPushButton(looking_ ? tr("Show force and torque") : tr("Show the difference"), content);
+  closer->setObjectName("lookCloser");
+  closer->setToolTip(tr("What stands below the arm"));
+  closer->setVisible(!isOfPoses());  // Poses have no course in time.
+  connect(closer, &QPushButton::clicked, this, [this] {
+    look(!looking_);
+    refresh();
+  });
+  column->addWidget(closer);
+  QStringList names;
+  for (const int k : others()) names << QFileInfo(workspace().openedAt(k)->path).fileName();
+  addCheck(
+      column, content, report, names, [this](int index) { checkOnOther(index); }, [this] { parts().chooseFiles(); });
+  addNoticed(column, content, report);
+  addConsidered(column, content, report);
+  addNotSeen(column, content, report, details_);
+  column->addStretch(1);
+  if (outdated()) {
+    page()->setMainButton(tr("Look again"), [this] { diagnose(); });
+  } else if (!someNext) {
+    page()->setMainButton(tr("Go on to Export"), [this] { parts().goTo(Step::exportFile); });
+  } else {
+    page()->setMainButton({});
+  }
+}
+
+}  // namespace heft

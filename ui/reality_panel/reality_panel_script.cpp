@@ -1,0 +1,111 @@
+// What menus and scripts ask of the reality check.
+#include <QAction>
+#include <QFileInfo>
+#include <QMenu>
+#include <QRandomGenerator>
+#include <algorithm>
+#include <utility>
+
+#include "core/simulation/practice.h"
+#include "ui/controller/diagnosis.h"
+#include "ui/controller/workspace.h"
+#include "ui/reality_panel/difference_pane.h"
+#include "ui/reality_panel/practice.h"
+#include "ui/reality_panel/reality_page.h"
+#include "ui/reality_panel/reality_panel.h"
+
+namespace heft {
+
+Result<bool> RealityPanel::refusal(const QString& sentence) { return Error{sentence.toStdString()}; }
+
+void RealityPanel::addActions(const StudioMenus& menus) {
+  QAction* again = menus.tools->addAction(tr("&Look for causes"), this, [this] {
+    if (!workspace().opened()) return;
+    parts().goTo(Step::realityCheck);
+    diagnose();
+  });
+  again->setShortcut(QKeySequence("Ctrl+L"));
+  menus.file->addAction(tr("&Report of the session …"), this, &RealityPanel::saveReport)
+      ->setShortcut(QKeySequence("Ctrl+P"));
+  QAction* riddle = menus.practice->addAction(tr("&A recording with a hidden fault"), this,
+                                              [this] { practise(QRandomGenerator::global()->bounded(1u, 1000000u)); });
+  riddle->setShortcut(QKeySequence("Ctrl+Shift+P"));
+  menus.practice->addSeparator();
+  for (unsigned seed = 1; seed <= 9; ++seed)
+    menus.practice->addAction(tr("Riddle &%1").arg(seed), this, [this, seed] { practise(seed); });
+}
+
+std::optional<Result<bool>> RealityPanel::obey(const QStringList& words) {
+  const QString& verb = words[0];
+  const auto arguments = words.size() - 1;
+  if (verb == "diagnose" && arguments == 0) {
+    if (!workspace().opened()) return refusal(tr("diagnose needs an open recording."));
+    diagnose();
+    return Result<bool>(true);
+  }
+  if ((verb == "apply" || verb == "takeback") && arguments == 1) {
+    const std::string id = words[1].toStdString();
+    if (verb == "takeback") {
+      if (!applied(id)) return refusal(tr("%1 is not applied.").arg(words[1]));
+      takeBack(id);
+      return Result<bool>(true);
+    }
+    if (!found()) return refusal(tr("apply needs a reality check first: diagnose."));
+    const auto& causes = found()->report->causes;
+    const auto cause = std::find_if(causes.begin(), causes.end(), [&](const auto& c) { return c.id == id; });
+    if (cause == causes.end() || !canApply(*found()->report, *cause)) {
+      QStringList names;
+      for (const auto& c : causes) names << QString::fromStdString(c.id);
+      return refusal(tr("%1 cannot be applied here; found were: %2.")
+                         .arg(words[1], names.isEmpty() ? tr("none") : names.join(", ")));
+    }
+    apply(id);
+    return Result<bool>(true);
+  }
+  if (verb == "look" && arguments >= 1) {
+    using View = DifferencePane::View;
+    const std::pair<const char*, View> views[] = {
+        {"time", View::time}, {"frequency", View::frequency}, {"motion", View::motion}};
+    if (words[1] == "plots") return look(false), Result<bool>(true);
+    for (const auto& [name, view] : views)
+      if (words[1] == name) {
+        pane_->setView(view);
+        if (arguments >= 2 && !pane_->setWitness(words[2]))
+          return refusal(tr("There is nothing called %1 to look against.").arg(words[2]));
+        look(true);
+        return Result<bool>(true);
+      }
+    return refusal(tr("look expects plots, time, frequency or motion."));
+  }
+  if (verb == "check" && arguments == 1) {
+    if (!found()) return refusal(tr("check needs a reality check first: diagnose."));
+    const auto all = others();
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (QFileInfo(workspace().openedAt(all[k])->path) == QFileInfo(words[1]))
+        return checkOnOther(static_cast<int>(k)), Result<bool>(true);
+    return refusal(tr("%1 is not open beside the shown recording.").arg(words[1]));
+  }
+  if (verb == "meta" && (arguments == 1 || (arguments == 2 && words[2] == "replace")))
+    return writeMeta(words[1], arguments == 2);
+  if (verb == "report" && (arguments == 1 || (arguments == 2 && words[2] == "replace")))
+    return writeReport(words[1], arguments == 2);
+  if (verb == "practice" && arguments == 1) {
+    bool ok = false;
+    const auto seed = words[1].toULongLong(&ok);
+    if (!ok) return refusal(tr("practice expects the number of a riddle."));
+    practise(seed);
+    return Result<bool>(true);
+  }
+  if (verb == "guess" && arguments == 1) {
+    const auto& kinds = practiceKinds();
+    if (!workspace().opened() || !practiceSeed(workspace().opened()->path))
+      return refusal(tr("guess needs a recording to practise on."));
+    if (std::find(kinds.begin(), kinds.end(), words[1].toStdString()) == kinds.end())
+      return refusal(tr("%1 is none of the faults to guess.").arg(words[1]));
+    guess(words[1].toStdString());
+    return Result<bool>(true);
+  }
+  return std::nullopt;
+}
+
+}  // namespace heft

@@ -1,0 +1,236 @@
+// What the page of Record shows: the three ways to a recording, or what goes on while one is made.
+#include <QButtonGroup>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <tuple>
+
+#include "ui/controller/workspace.h"
+#include "ui/record_panel/live_board.h"
+#include "ui/record_panel/record_panel.h"
+#include "ui/record_panel/recording_list.h"
+#include "ui/record_panel/samples.h"
+#include "ui/record_panel/source_form.h"
+#include "ui/theme/icons.h"
+#include "ui/widgets/basics.h"
+#include "ui/widgets/choice_card.h"
+#include "ui/widgets/segments.h"
+
+namespace heft {
+
+void RecordPanel::refresh() {
+  if (run_->running()) return;
+  if (way_ == Way::live && form_) {
+    emit stateChanged();
+    return;  // What is typed in stays.
+  }
+  form_ = nullptr;
+  const auto opened = workspace().opened();
+  QVBoxLayout* column = nullptr;
+  const QString forFiles =
+                    tr("Open a recording of the arm moving with its tool. Heft finds mass, centre of mass and "
+                       "inertia, and tells how sure each number is."),
+                forLive = tr("Heft only listens: it moves nothing and changes nothing."),
+                forVirtual =
+                    tr("The virtual arm follows your mouse as a hand-guided one follows your hand. Find out "
+                       "what its hidden tool weighs.");
+  switch (way_) {
+    case Way::files:
+      column = page()->restart(tr("What does your tool weigh?"), forFiles);
+      addWays(column);
+      addFiles(column);
+      break;
+    case Way::live: {
+      column = page()->restart(tr("Listen to your robot"), forLive);
+      addWays(column);
+      form_ = new SourceForm(page()->content());
+      column->addWidget(form_);
+      page()->setSecondButton({});
+      page()->setMainButton(tr("Connect and record"), [this] { startListening(); });
+      break;
+    }
+    case Way::virtualArm:
+      column = page()->restart(tr("Try it without a robot"), forVirtual);
+      addWays(column);
+      addVirtual(column);
+      break;
+  }
+  column->addStretch(1);
+  // The tabs below stay under the pointer.
+  page()->reserveAnswers({forFiles, forLive, forVirtual});
+  if (way_ == Way::files) {
+    if (opened) {
+      page()->setSecondButton(tr("Open another …"), [this] { parts().chooseFiles(); });
+      page()->setMainButton(tr("See the result"), [this] { parts().goTo(Step::result); });
+    } else {
+      page()->setSecondButton({});
+      page()->setMainButton(
+          tr("Open a recording …"), [this] { parts().chooseFiles(); }, "open");
+    }
+  }
+  emit stateChanged();
+}
+
+void RecordPanel::addWays(QVBoxLayout* column) {
+  static constexpr std::pair<Way, const char*> kWays[] = {
+      {Way::live, "hand"}, {Way::files, "folder"}, {Way::virtualArm, "tool"}};
+  const auto spaced = [](const QString& text) { return QStringLiteral(" ") + text; };
+  auto* ways = new Segments({spaced(tr("Live robot")), spaced(tr("Open files")), spaced(tr("Virtual arm"))},
+                            {"wayLive", "wayFiles", "wayVirtual"}, page()->content());
+  for (int i = 0; i < 3; ++i) {
+    ways->button(i)->setIcon(themedIcon(kWays[i].second));
+    if (kWays[i].first == way_) ways->setChosen(i);
+  }
+  connect(ways, &Segments::picked, this, [this](int i) { setWay(kWays[i].first); });
+  column->addWidget(ways);
+}
+
+void RecordPanel::addFiles(QVBoxLayout* column) {
+  QWidget* content = page()->content();
+  const Card card = makeCard("card", content);
+  card.layout->addWidget(styledLabel(tr("What a recording holds"), "sectionTitle", content));
+  card.layout->addWidget(wrappedLabel(tr("Time, joint angles or sensor poses, and force and torque: a CSV, a ROS bag, "
+                                         "MCAP or HDF5. A file NAME.meta.json beside it may name the robot and how the "
+                                         "sensor is mounted."),
+                                      "caption", content));
+  card.layout->addWidget(wrappedLabel(tr("You can also drop a file anywhere in this window."), "caption", content));
+  column->addWidget(card.frame);
+  addOpened(column);
+  addRecent(column);
+  if (!workspace().opened()) addSamples(column);
+}
+
+/// For the first minutes: something to open, to guide, to find out.
+void RecordPanel::addSamples(QVBoxLayout* column) {
+  QWidget* content = page()->content();
+  column->addSpacing(6);
+  column->addWidget(styledLabel(tr("No recording at hand?"), "sectionTitle", content));
+  if (parts().startTour) {
+    auto* tour = new QPushButton(tr("Two-minute tour with a sample"), content);
+    tour->setObjectName("tourButton");
+    tour->setProperty("role", "plain");
+    tour->setIcon(themedIcon("bulb"));
+    connect(tour, &QPushButton::clicked, this, [this] { parts().startTour(); });
+    column->addWidget(tour);
+  }
+  for (const Sample& sample : samples()) {
+    auto* button = new QPushButton(sample.title, content);
+    button->setObjectName("sampleButton");
+    button->setProperty("role", "plain");
+    button->setToolTip(tr("Makes this recording with the simulation and opens it"));
+    connect(button, &QPushButton::clicked, this, [this, sample] { openSample(sample); });
+    column->addWidget(button);
+  }
+  column->addWidget(wrappedLabel(tr("Or guide the virtual arm yourself (third tab above), or look for a hidden fault: "
+                                    "menu Practice."),
+                                 "caption", content));
+}
+
+void RecordPanel::openSample(const Sample& sample) {
+  sampling_.start(
+      tr("Making a sample recording"), [sample](const Progress& progress) { return sampleFile(sample, progress); },
+      [this](Result<QString> made) {
+        if (!made) return parts().say(Severity::error, QString::fromStdString(made.error().message));
+        workspace().open(*made);
+      });
+}
+
+void RecordPanel::addVirtual(QVBoxLayout* column) {
+  QWidget* content = page()->content();
+  column->addWidget(styledLabel(tr("Which tool does it carry?"), "sectionTitle", content));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  auto* group = new QButtonGroup(content);
+  const std::tuple<QString, QString, double, double> tools[] = {{tr("Surprise"), tr("anything"), 0.25, 1.6},
+                                                                {tr("Light"), tr("below 0.5 kg"), 0.25, 0.5},
+                                                                {tr("Heavy"), tr("over 1.1 kg"), 1.1, 1.6}};
+  for (const auto& [name, detail, lightest, heaviest] : tools) {
+    auto* card = new ChoiceCard(name, detail, content);
+    group->addButton(card);
+    card->setChecked(group->buttons().size() == 1);
+    connect(card, &QAbstractButton::clicked, this, [this, a = lightest, b = heaviest] { tool_ = toolBetween(a, b); });
+    row->addWidget(card);
+  }
+  column->addLayout(row);
+  tool_ = toolBetween(0.25, 1.6);
+  const Card card = makeCard("card", content);
+  card.layout->addWidget(styledLabel(tr("How to guide it"), "sectionTitle", content));
+  for (const QString& line :
+       {tr("Drag the tool in the picture: the arm follows."), tr("Drag one of the three rings: the tool turns."),
+        tr("Or use the arrow keys and Page Up, Page Down; with Shift they turn."),
+        tr("The coach says what helps most. Let it be shown to you if you like.")})
+    card.layout->addWidget(wrappedLabel(line, "caption", content));
+  column->addWidget(card.frame);
+  page()->setSecondButton(tr("Standing poses"), [this] { startVirtual(tool_, true, true); });
+  page()->setMainButton(
+      tr("Start guiding"), [this] { startVirtual(tool_, false, true); }, "hand");
+}
+
+void RecordPanel::addOpened(QVBoxLayout* column) {
+  if (workspace().session().recordings.empty()) return;
+  column->addSpacing(6);
+  auto* list = new RecordingList(&workspace(), page()->content());
+  connect(list, &RecordingList::closed, this, [this] { parts().goTo(Step::record); });
+  column->addWidget(list);
+}
+
+void RecordPanel::addRecent(QVBoxLayout* column) {
+  const QStringList recent = parts().recentFiles();
+  if (recent.isEmpty()) return;
+  column->addSpacing(6);
+  column->addWidget(styledLabel(tr("Recent files"), "sectionTitle", page()->content()));
+  for (const QString& path : recent) {
+    // Names alone repeat: with the folder and the day.
+    const QFileInfo file(path);
+    auto* button = new QPushButton(tr("%1   ·   %2, %3")
+                                       .arg(file.fileName(), QDir(file.absolutePath()).dirName(),
+                                            QLocale().toString(file.lastModified().date(), QLocale::ShortFormat)),
+                                   page()->content());
+    button->setObjectName("linkButton");
+    button->setToolTip(path);
+    button->setAccessibleName(tr("Open %1").arg(path));
+    connect(button, &QPushButton::clicked, this, [this, path] { workspace().open(path); });
+    column->addWidget(button);
+  }
+}
+
+void RecordPanel::showLive() {
+  const bool poses = run_->poses();
+  QVBoxLayout* column =
+      poses ? page()->restart(tr("Hold the tool still, in several tilts"),
+                              tr("Heft takes a pose by itself after one still second. Touch nothing with the tool."))
+            : page()->restart(tr("Move the arm. Heft listens."),
+                              tr("Guide it as you always do. Touch nothing with the tool."));
+  board_ = new LiveBoard(run_, page()->content());
+  connect(board_, &LiveBoard::posesWanted, this, &RecordPanel::changeWay);
+  connect(board_, &LiveBoard::anotherToolWanted, this, &RecordPanel::changeTool);
+  column->addWidget(board_);
+  column->addStretch(1);
+  if (poses) {
+    page()->setSecondButton(tr("Discard"), [this] { discardPoses(); });
+  } else {
+    showPause();
+  }
+  page()->setMainButton(
+      tr("Stop and keep"), [this] { stopAndKeep(); }, "check");
+  page()->setMainEnabled(false, tr("Nothing has come yet."));
+}
+
+void RecordPanel::showPause() {
+  page()->setSecondButton(
+      run_->paused() ? tr("Resume") : tr("Pause"),
+      [this] {
+        run_->setPaused(!run_->paused());
+        showPause();
+        emit stateChanged();
+      },
+      run_->paused() ? "play" : "pause");
+}
+
+}  // namespace heft

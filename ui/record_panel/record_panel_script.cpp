@@ -1,0 +1,99 @@
+// Lines of a script that make a recording: live ..., sample ...
+#include <QFileInfo>
+#include <chrono>
+#include <thread>
+
+#include "core/recording/csv_reader.h"
+#include "ui/controller/workspace.h"
+#include "ui/live/live_run.h"
+#include "ui/record_panel/flange_guide.h"
+#include "ui/record_panel/record_panel.h"
+#include "ui/record_panel/samples.h"
+
+namespace heft {
+
+std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
+  const auto wrong = [](const QString& sentence) { return Result<bool>(Error{sentence.toStdString()}); };
+  if (words[0] == "sample" && words.size() == 2) {
+    for (const Sample& sample : samples())
+      if (sample.file == QStringLiteral("sample-%1.csv").arg(words[1])) return openSample(sample), Result<bool>(true);
+    return wrong(tr("sample expects clean, hose or delay."));
+  }
+  if (words[0] != "live") return std::nullopt;
+  const QString what = words.value(1);
+  bool numbers = true;
+  const auto number = [&](int index, double otherwise) {
+    if (words.size() <= index) return otherwise;
+    bool ok = false;
+    const double value = words[index].toDouble(&ok);
+    numbers = numbers && ok;
+    return value;
+  };
+  if (what == "virtual" || what == "poses") {
+    const double seconds = number(2, 0.0), seed = number(3, 1.0);
+    if (!numbers || seconds < 0 || seconds > 7200 || seed < 0)
+      return wrong(tr("live %1 expects seconds and a tool's number.").arg(what));
+    startVirtual(static_cast<std::uint64_t>(seed), what == "poses", false);
+    if (!run_->running()) return wrong(tr("The virtual arm did not start."));
+    if (what == "virtual") run_->virtualArm()->guide([](GuidedArm& arm) { arm.wander(); });
+    run_->pass(seconds);
+    return Result<bool>(true);
+  }
+  if (what == "form") {
+    way_ = Way::live;
+    refresh();
+    return Result<bool>(true);
+  }
+  if (what == "replay" && words.size() >= 3) {
+    way_ = Way::live;
+    form_ = nullptr;
+    LiveOrigin origin{0, {"replay:" + words[2].toStdString() + "?speed=20"}, {}, {}, false};
+    Findings findings;
+    if (QFileInfo::exists(QString::fromStdString(metaFileOf(words[2].toStdString()).string()))) {
+      auto meta = readMeta(metaFileOf(words[2].toStdString()), findings);
+      if (!meta) return Result<bool>(meta.error());
+      origin.meta = std::move(*meta);
+      origin.meta.numbersArePlain();
+    }
+    listenTo(std::move(origin), false);
+    if (!run_->running()) return wrong(tr("%1 could not be played.").arg(words[2]));
+    // The script goes on when all has come and has been learned.
+    waiting_.start(
+        QString(),
+        [session = run_->session()](const Progress& progress) -> Result<bool> {
+          const auto under = [&](LinkState state) {
+            return state == LinkState::connecting || state == LinkState::live;
+          };
+          while (!progress.cancelled() && under(session->status().sources.front().state))
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+          std::this_thread::sleep_for(std::chrono::milliseconds(300));
+          return true;
+        },
+        [](Result<bool>) {});
+    return Result<bool>(true);
+  }
+  if (!run_->running()) return wrong(tr("Nothing is being recorded: begin with live virtual or live replay."));
+  if (what == "pass") {
+    const double seconds = number(2, 0.0);
+    if (!numbers || seconds < 0 || !run_->virtualArm()) return wrong(tr("live pass expects seconds of a virtual arm."));
+    run_->pass(seconds);
+    return Result<bool>(true);
+  }
+  if (what == "guide" && run_->virtualArm()) {
+    const Vector3d shift(number(2, 0), number(3, 0), number(4, 0)), turn(number(5, 0), number(6, 0), number(7, 0));
+    if (!numbers) return wrong(tr("live guide expects metres and, if you like, radians."));
+    run_->virtualArm()->guide([&](GuidedArm& arm) { FlangeGuide::nudge(arm, shift, turn); });
+    return Result<bool>(true);
+  }
+  if (what == "show") return run_->makeAdvised() ? Result<bool>(true) : wrong(tr("There is nothing to be shown now."));
+  if (what == "change") return changeTool(), Result<bool>(true);
+  if (what == "stop") return stopAndKeep(), Result<bool>(true);
+  if (what == "discard") {
+    run_->discard();
+    showNoLive();
+    return Result<bool>(true);
+  }
+  return wrong(tr("live expects virtual, poses, replay, pass, guide, show, change, stop or discard."));
+}
+
+}  // namespace heft
