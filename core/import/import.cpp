@@ -85,7 +85,8 @@ std::optional<Error> refuseTwoScales(const MappingWishes& wishes, const Conventi
   for (const auto& [target, factor] : wishes.scale) {
     const char first = target[0];
     const bool quaternion = target == "quaternion" || (first == 'q' && target.find_first_of("xyzw") == 1);
-    const bool angle = (first == 'i' || first == 'j' || first == 'v' || first == 'd' || first == 'q' || first == 'g') && !quaternion;
+    const bool angle =
+        (first == 'i' || first == 'j' || first == 'v' || first == 'd' || first == 'q' || first == 'g') && !quaternion;
     const bool wrench = first == 'w' || first == 'f' || (first == 't' && target != "time");
     const char* key = nullptr;
     if (first == 'a' && conventions.mPerS2PerAcceleration != 1.0) key = "acceleration_unit";
@@ -173,25 +174,10 @@ Result<Opened> openAll(const std::filesystem::path& path, FileKind kind, const I
 
 /// What a field's name says of its unit holds before a unit that is stated for all.
 void settleUnits(std::vector<ColumnSource>& columns, Opened& opened) {
-  const auto& conventions = opened.meta.conventions;
   std::vector<std::string> named;
   for (auto& column : columns) {
-    const char first = column.column[0];
-    const auto form = [&](const std::vector<std::string>& names) {
-      return std::find(names.begin(), names.end(), column.column) != names.end();
-    };
-    const auto& forms = rotationForms();
-    const bool rotation = std::any_of(forms.begin(), forms.end() - 1, form);
-    if (rotation && !column.unitNamed) column.scale *= conventions.radPerAngle;
-    if (!column.unitNamed) continue;
-    if (column.scale != 1.0 && named.size() < 4) named.push_back(column.column);
-    // The stated unit is taken out of everything later on.
-    if (!rotation && (first == 'q' || first == 'd')) column.scale /= conventions.radPerAngle;
-    if (first == 'p' && !rotation) column.scale /= conventions.mPerLength;
-    if (first == 'f') column.scale /= conventions.force.si;
-    if (first == 't') column.scale /= conventions.torque.si;
-    if (first == 'a') column.scale /= conventions.mPerS2PerAcceleration;
-    if (first == 'i') column.scale /= conventions.radPerAngle;
+    if (column.unitNamed && column.scale != 1.0 && named.size() < 4) named.push_back(column.column);
+    column.scale = scaleWithin(column, opened.meta.conventions);
   }
   if (!named.empty())
     opened.findings.push_back({Severity::info,

@@ -8581,6 +8581,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>others by less</source>
         <translation>andere um weniger</translation>
     </message>
+    <message>
+        <source>The rows are of {} frames, each a source of its own: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} rows have no {} and were set aside.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
