@@ -8583,11 +8583,11 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>The rows are of {} frames, each a source of its own: {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeilen gehören zu {} Koordinatensystemen, jedes eine eigene Quelle: {}.</translation>
     </message>
     <message>
         <source>{} rows have no {} and were set aside.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Zeilen haben kein {} und wurden beiseitegelassen.</translation>
     </message>
 </context>
 <context>
