@@ -171,7 +171,7 @@ std::optional<JointMember> asJoint(const Words& words) {
       "temp",          "temperatures", "is",      "force",   "wrench", "voltage", "power",     "acceleration",
       "accelerations", "acc",          "jerk",    "mode",    "status", "moment",  "stiffness", "load",
       "tcp",           "pose",         "encoder", "ticks",   "fts",    "ft",      "column"};
-  static constexpr std::array kJoints = {"joint", "joints", "j", "axis", "a", "jnt"};
+  static constexpr std::array kJoints = {"joint", "joints", "j", "axis", "a", "jnt", "achse", "gelenk"};
   if (words.empty() || anyIs(words, kOther)) return std::nullopt;
   // The number that tells the joint: the last one ("fr3_joint1" has another before it).
   const auto number =

@@ -164,6 +164,12 @@ std::string takeTrailingUnit(Words& words) {
     words.erase(words.begin() + static_cast<std::ptrdiff_t>(i));
     return unit;
   }
+  // "force_n.x"
+  for (std::size_t i = 1; i + 1 < words.size(); ++i)
+    if (words[i] == "n" && (words[i - 1] == "force" || words[i - 1] == "forces" || words[i - 1] == "kraft")) {
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(i));
+      return "n";
+    }
   const std::string last = words.back();
   const auto* unit = findUnit(last);
   if (unit == nullptr || last == "in" || last == "min" || last == "lb" || last == "grad") return {};

@@ -1,6 +1,8 @@
 // Text in a table's cells: names of joints and frames.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "tests/core/import/fixtures.h"
 
 namespace heft {
@@ -66,6 +68,37 @@ TEST_F(TextColumns, ListsInCellsAsPandasWritesThem) {
     ASSERT_TRUE(read.ok()) << read.error().message;
     expectFormula(read->recording);
   }
+}
+
+TEST_F(TextColumns, ListsWithBlanksBetweenTabs) {
+  std::string text = "index\tt_sec\tjoint_positions\tft\n";
+  for (int k = 0; k < kTextRows; ++k) {
+    const double t = 0.01 * k;
+    std::string joints, wrench;
+    for (int j = 0; j < 7; ++j) joints += fmt::format("{}{:.9f}", j > 0 ? " " : "", jointAt(t, j));
+    for (int a = 0; a < 6; ++a) wrench += fmt::format("{}{:.9f}", a > 0 ? " " : "", wrenchAt(t, a));
+    text += fmt::format("{}\t{:.2f}\t[{}]\t[{}]\n", k, t, joints, wrench);
+  }
+  const auto read = openRecording(write("lists.tsv", text));
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  expectFormula(read->recording);
+}
+
+TEST_F(TextColumns, GermanNamesAndDecimalCommas) {
+  std::string text = "Zeit [ms]";
+  for (int j = 1; j <= 7; ++j) text += fmt::format(";Achse {} [Grad]", j);
+  text += ";Fx [N];Fy [N];Fz [N];Mx [Nmm];My [Nmm];Mz [Nmm]\n";
+  for (int k = 0; k < kTextRows; ++k) {
+    const double t = 0.01 * k;
+    std::string row = fmt::format("{:.2f}", 1000.0 * t);
+    for (int j = 0; j < 7; ++j) row += fmt::format(";{:.8f}", jointAt(t, j) * 180.0 / 3.14159265358979323846);
+    for (int a = 0; a < 6; ++a) row += fmt::format(";{:.6f}", wrenchAt(t, a) * (a < 3 ? 1.0 : 1000.0));
+    std::replace(row.begin(), row.end(), '.', ',');
+    text += row + "\n";
+  }
+  const auto read = openRecording(write("robot.csv", text));
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  expectFormula(read->recording);
 }
 
 TEST_F(TextColumns, OneJointARow) {

@@ -40,6 +40,7 @@ TEST(FieldMapper, UnitsInNamesHold) {
       {{"force_kgf[0]", "force_kgf[1]", "force_kgf[2]", "torque_kgf_cm[0]", "torque_kgf_cm[1]", "torque_kgf_cm[2]"},
        9.80665,
        0.0980665},
+      {{"force_n.x", "force_n.y", "force_n.z", "torque_nm.x", "torque_nm.y", "torque_nm.z"}, 1.0, 1.0},
       {{"Fx [kg]", "Fy [kg]", "Fz [kg]", "Mx [Nm]", "My [Nm]", "Mz [Nm]"}, 9.80665, 1.0},
       {{"fx_lbf", "fy_lbf", "fz_lbf", "tx_lbf_in", "ty_lbf_in", "tz_lbf_in"}, 4.4482216, 0.1129848}};
   for (const auto& each : cases) {
