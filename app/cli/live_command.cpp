@@ -212,7 +212,7 @@ class LiveRun {
       : options_(options), settings_(std::move(settings)), meta_(metaOf(options, findings_)) {
     const auto jointNames = jointNamesOf(meta_);
     for (const auto& address : options.sources) {
-      auto source = makeLiveSource(address, options.meta, jointNames);
+      auto source = makeLiveSource(address, options.meta, jointNames, meta_.conventions);
       if (!source) throw WrongUsage(source.error().message);
       session_.addSource(std::move(*source));
     }

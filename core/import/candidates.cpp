@@ -171,7 +171,7 @@ std::optional<JointMember> asJoint(const Words& words) {
       "temp",          "temperatures", "is",      "force",   "wrench", "voltage", "power",     "acceleration",
       "accelerations", "acc",          "jerk",    "mode",    "status", "moment",  "stiffness", "load",
       "tcp",           "pose",         "encoder", "ticks",   "fts",    "ft",      "column"};
-  static constexpr std::array kJoints = {"joint", "joints", "j", "axis", "a", "jnt"};
+  static constexpr std::array kJoints = {"joint", "joints", "j", "axis", "a", "jnt", "achse", "gelenk"};
   if (words.empty() || anyIs(words, kOther)) return std::nullopt;
   // The number that tells the joint: the last one ("fr3_joint1" has another before it).
   const auto number =
@@ -297,8 +297,13 @@ class StreamGuess {
       addNamed("joints", "q", "position", jointNames);
       addNamed("velocities", "dq", "velocity", jointNames);
     } else if (stream_.type == "sensor_msgs/JointState") {
-      addInOrder("joints", "q", "position");
-      addInOrder("velocities", "dq", "velocity");
+      addInOrder("joints", "q", "position", 20);
+      addInOrder("velocities", "dq", "velocity", 20);
+    } else if (stream_.type.empty()) {  // a table whose cells named the joints, none of them by a number
+      for (const std::string before : {"", "field."}) {
+        addInOrder("joints", "q", before + "position", 9);
+        addInOrder("velocities", "dq", before + "velocity", 9);
+      }
     }
   }
 
@@ -468,10 +473,12 @@ class StreamGuess {
     return chain.size() == kUr.size() && found.size() == kUr.size() ? chain : found;
   }
 
-  void addInOrder(const char* part, const char* prefix, const std::string& quantity) {
+  void addInOrder(const char* part, const char* prefix, const std::string& quantity, int score) {
     const auto fields = inOrder(quantity);
     if (fields.size() < 2 || fields.size() > 32) return;
-    ColumnCandidate candidate{part, {}, 20, why()};
+    const auto numbered = [&](std::size_t f) { return isDigits(names_[f].words.back()); };
+    if (stream_.type.empty() && std::all_of(fields.begin(), fields.end(), numbered)) return;
+    ColumnCandidate candidate{part, {}, score, why()};
     for (std::size_t j = 0; j < fields.size(); ++j)
       candidate.columns.push_back(source(fmt::format("{}{}", prefix, j + 1), fields[j], candidate.why));
     out_.push_back(std::move(candidate));

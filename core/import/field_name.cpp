@@ -85,6 +85,8 @@ constexpr std::array kUnitNames = {
     UnitName{"lb", Quantity::force, kPoundForce},
     UnitName{"lbs", Quantity::force, kPoundForce},
     UnitName{"kgf", Quantity::force, kKilopond},
+    UnitName{"kg", Quantity::force, kKilopond},  // of load cells
+    UnitName{"kp", Quantity::force, kKilopond},
     UnitName{"gf", Quantity::force, 1e-3 * kKilopond},
     UnitName{"nm", Quantity::torque, 1.0},
     UnitName{"newtonmeter", Quantity::torque, 1.0},
@@ -100,7 +102,9 @@ constexpr std::array kUnitNames = {
     UnitName{"lbf-ft", Quantity::torque, kPoundForce* kFoot},
     UnitName{"ftlbf", Quantity::torque, kPoundForce* kFoot},
     UnitName{"ft-lbf", Quantity::torque, kPoundForce* kFoot},
+    UnitName{"knm", Quantity::torque, 1e3},
     UnitName{"kgfm", Quantity::torque, kKilopond},
+    UnitName{"kgfmm", Quantity::torque, 1e-3 * kKilopond},
     UnitName{"kgfcm", Quantity::torque, 1e-2 * kKilopond},
 };
 
@@ -140,14 +144,32 @@ std::string takeTrailingUnit(Words& words) {
     return unit;
   }
   if (words.empty()) return {};
-  // "joint_pos_deg_1"
-  static constexpr std::array<std::string_view, 6> kInside = {"deg", "degrees", "rad", "mm", "nm", "nmm"};
+  // "tx_n_m", "torque_kgf_cm_0"
+  for (std::size_t i = 1; i + 1 < words.size(); ++i) {
+    const std::string torque = words[i] + words[i + 1];
+    const auto* const force = findUnit(words[i]);
+    const auto* const whole = findUnit(torque);
+    if (force == nullptr || force->quantity != Quantity::force || whole == nullptr ||
+        whole->quantity != Quantity::torque)
+      continue;
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(i), words.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+    return torque;
+  }
+  // "joint_pos_deg_1", "force_kgf_x"
+  static constexpr std::array<std::string_view, 13> kInside = {"deg", "degrees", "rad", "mm", "nm",     "nmm",    "ncm",
+                                                               "kgf", "gf",      "lbf", "kn", "newton", "newtons"};
   for (std::size_t i = 1; i + 1 < words.size(); ++i) {
     if (std::find(kInside.begin(), kInside.end(), words[i]) == kInside.end()) continue;
     std::string unit = words[i];
     words.erase(words.begin() + static_cast<std::ptrdiff_t>(i));
     return unit;
   }
+  // "force_n.x"
+  for (std::size_t i = 1; i + 1 < words.size(); ++i)
+    if (words[i] == "n" && (words[i - 1] == "force" || words[i - 1] == "forces" || words[i - 1] == "kraft")) {
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(i));
+      return "n";
+    }
   const std::string last = words.back();
   const auto* unit = findUnit(last);
   if (unit == nullptr || last == "in" || last == "min" || last == "lb" || last == "grad") return {};

@@ -198,12 +198,23 @@ class Chooser {
     }
   }
 
+  /// "/tf:tool0": the transform in a topic of several that is called so.
+  bool isLabelled(const ColumnCandidate& candidate, const std::string& source) const {
+    const auto& stream = streams_[candidate.columns[0].stream];
+    if (source.size() <= stream.name.size() + 1 || !source.starts_with(stream.name + ":")) return false;
+    const auto label = "[" + source.substr(stream.name.size() + 1) + "]";
+    return std::ranges::all_of(candidate.columns, [&](const ColumnSource& column) {
+      return stream.fields[column.field].find(label) != std::string::npos;
+    });
+  }
+
   std::optional<Error> grant(const std::string& target, const std::string& source) {
     if (std::find(kParts.begin(), kParts.end(), target) != kParts.end()) {
       for (const auto& candidate : candidates_) {
         const auto& stream = streams_[candidate.columns[0].stream];
         if (candidate.part != target ||
-            (stream.name != source && stream.file != source && std::filesystem::path(stream.file).filename() != source))
+            (stream.name != source && stream.file != source &&
+             std::filesystem::path(stream.file).filename() != source && !isLabelled(candidate, source)))
           continue;
         ColumnCandidate wished = candidate;
         for (auto& column : wished.columns) column.why = kSaidByUser;
@@ -452,6 +463,21 @@ Result<bool> addWish(MappingWishes& wishes, const std::string& text) {
   if (auto failure = checkTarget(target, "--use")) return *failure;
   wishes.use[target] = text.substr(sign + 1);
   return true;
+}
+
+double scaleWithin(const ColumnSource& column, const Conventions& conventions) {
+  const char first = column.column[0];
+  const bool matrix = column.column.size() == 3 && first == 'r' && column.column[1] >= '1' && column.column[1] <= '3';
+  const bool rotation = isRotation(column.column) && !matrix;
+  // Only a quaternion's or a joint's numbers pass through the stated unit of angles; other rotations do not.
+  if (rotation) return column.unitNamed ? column.scale : column.scale * conventions.radPerAngle;
+  if (!column.unitNamed) return column.scale;
+  if (first == 'q' || first == 'd' || first == 'i') return column.scale / conventions.radPerAngle;
+  if (first == 'p') return column.scale / conventions.mPerLength;
+  if (first == 'f') return column.scale / conventions.force.si;
+  if (first == 't') return column.scale / conventions.torque.si;
+  if (first == 'a') return column.scale / conventions.mPerS2PerAcceleration;
+  return column.scale;
 }
 
 std::vector<ColumnCandidate> rivalWrenches(const std::vector<Stream>& streams, const MappingWishes& wishes,

@@ -72,6 +72,10 @@ std::vector<ColumnCandidate> findCandidates(const std::vector<Stream>& streams,
 ColumnSource columnFrom(const std::vector<Stream>& streams, std::size_t stream, std::size_t field,
                         const std::string& column, const std::string& why);
 
+/// Factor with which a column's numbers enter where `conventions` are undone later on: what a field's name says of its
+/// unit holds before a unit that is stated for all.
+double scaleWithin(const ColumnSource& column, const Conventions& conventions);
+
 /// Other wrenches that names and types speak for as much as for the chosen one, unless the user named it.
 std::vector<ColumnCandidate> rivalWrenches(const std::vector<Stream>& streams, const MappingWishes& wishes,
                                            const std::vector<ColumnSource>& chosen);

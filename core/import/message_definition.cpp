@@ -165,6 +165,7 @@ struct MessageDecoder::Walk {
   bool naming = false;
   std::vector<std::uint64_t> shape;
   std::vector<std::string> names;
+  std::string_view child;  ///< The child frame that was read last.
   bool stampFound = false;
   std::uint64_t steps = 0;
   /// Types without content would let a short message state endless work.
@@ -242,6 +243,10 @@ struct MessageDecoder::Walk {
         case Kind::text:
           for (std::uint64_t i = 0; i < count && reader.ok(); ++i) {
             const auto content = text();
+            if (!field.array && field.name == "child_frame_id") {
+              child = content;
+              shape.push_back(hashOf(content));
+            }
             if (!field.array || field.name != "name" || count > kLongestArray) continue;
             labels.push_back(content);
             shape.push_back(hashOf(content));
@@ -252,8 +257,16 @@ struct MessageDecoder::Walk {
             time(named ? element(path, i, {}) : path, depth == 1 && type.header && !field.array);
           break;
         case Kind::message:
-          for (std::uint64_t i = 0; i < count && reader.ok(); ++i)
-            message(*field.type, named ? element(path, i, {}) : path, depth + 1);
+          for (std::uint64_t i = 0; i < count && reader.ok(); ++i) {
+            child = {};
+            const std::size_t first = names.size();
+            const std::string own = named ? element(path, i, {}) : path;
+            message(*field.type, own, depth + 1);
+            if (!named || child.empty()) continue;
+            // Transforms come in any order; each is called after its child frame.
+            for (std::size_t n = first; n < names.size(); ++n)
+              names[n] = element(path, 0, {child}) + names[n].substr(own.size());
+          }
           break;
       }
     }

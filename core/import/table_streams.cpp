@@ -17,6 +17,7 @@
 #include "core/import/json_numbers.h"
 #include "core/import/streams.h"
 #include "core/import/table_text.h"
+#include "core/import/text_columns.h"
 #include "core/import/time_column.h"
 #include "core/recording/csv_reader.h"
 #include "core/recording/csv_table.h"
@@ -49,6 +50,7 @@ class Table {
  public:
   std::vector<std::string> names;
   std::vector<std::vector<double>> columns;
+  std::vector<std::string> owners;  ///< See TextTable.
 
   Result<bool> toStreams(StreamSet& set, const TimeChoice& choice) const {
     set.timeCandidates = names;
@@ -80,7 +82,7 @@ class Table {
       if (!lost) noteRate(set, choice.rateHz);
     }
     const auto isTime = [&](std::size_t c) { return time && (c == time->index || c == time->fraction); };
-    std::map<std::vector<bool>, std::vector<std::size_t>> groups;
+    std::map<std::pair<std::string, std::vector<bool>>, std::vector<std::size_t>> groups;
     for (std::size_t c = 0; c < columns.size(); ++c) {
       if (isTime(c)) continue;
       std::vector<bool> present(rows);
@@ -94,26 +96,28 @@ class Table {
       if (count * 20 >= rows * 19) {
         for (std::size_t r = 0; r < rows; ++r) present[r] = std::isfinite(clock[r]);
       }
-      groups[std::move(present)].push_back(c);
+      groups[{owners.empty() ? std::string() : owners[c], std::move(present)}].push_back(c);
     }
-    std::vector<std::pair<std::size_t, const std::vector<bool>*>> order;
-    for (const auto& [present, members] : groups) order.emplace_back(members.front(), &present);
-    std::sort(order.begin(), order.end());
-    for (const auto& [first, present] : order) {
-      const auto& members = groups.at(*present);
+    std::vector<std::pair<std::size_t, decltype(groups)::const_iterator>> order;
+    for (auto group = groups.cbegin(); group != groups.cend(); ++group)
+      order.emplace_back(group->second.front(), group);
+    std::ranges::sort(order, {}, [](const auto& entry) { return entry.first; });
+    for (const auto& [first, group] : order) {
+      const auto& [owner, present] = group->first;
+      const auto& members = group->second;
       Stream stream;
       stream.file = set.file;
       stream.clockless = lost && choice.clockNeeded;
       for (const auto c : members) stream.fields.push_back(names[c]);
-      stream.name = prefixOf(stream.fields);
+      stream.name = owner.empty() ? prefixOf(stream.fields) : owner;
       for (std::size_t r = 0; r < rows; ++r)
-        if ((*present)[r]) stream.received.push_back(times[r]);
+        if (present[r]) stream.received.push_back(times[r]);
       stream.stamps.assign(stream.received.size(), 0);
       for (const auto c : members) {
         auto& values = stream.values.emplace_back();
         values.reserve(stream.received.size());
         for (std::size_t r = 0; r < rows; ++r)
-          if ((*present)[r]) values.push_back(columns[c][r]);
+          if (present[r]) values.push_back(columns[c][r]);
         if (names[c] == "field.header.stamp")  // rostopic echo -p, in ns
           for (std::size_t r = 0; r < values.size(); ++r)
             if (values[r] > 0.0) stream.stamps[r] = nanoseconds(1e-9 * values[r]);
@@ -172,21 +176,6 @@ std::vector<double> toLabels(const std::vector<std::string>& cells, StreamSet& s
          heft::say("Labels are free, contact or ignore."),
          {set.file, 0, 0}});
   return out;
-}
-
-/// "rostopic echo -p" of a JointState writes the joints' names into columns of their own: field.name0 names
-/// field.position0.
-void nameJoints(std::vector<std::string>& names, const std::vector<std::vector<std::string>>& cells) {
-  constexpr std::string_view kName = "field.name";
-  std::map<std::string, std::string> labels;
-  for (std::size_t c = 0; c < names.size(); ++c)
-    if (names[c].starts_with(kName) && !cells[c].empty() && !cells[c].front().empty())
-      labels[names[c].substr(kName.size())] = cells[c].front();
-  for (auto& name : names)
-    for (const std::string_view quantity : {"field.position", "field.velocity"})
-      if (name.starts_with(quantity))
-        if (const auto label = labels.find(name.substr(quantity.size())); label != labels.end())
-          name = fmt::format("{}[{}]", quantity, printable(label->second));
 }
 
 /// Whether columns c to c + 3 are unit quaternions in nearly all rows.
@@ -269,13 +258,17 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
                             heft::say("The last line ends in the middle and was left out."),
                             {},
                             {set.file, rows->cutLine, 0}});
+  TextTable asText{header->names, std::move(cells), {}};
+  std::string guessed = text.namesMissing ? nameEchoedColumns(asText) : std::string();
+  useTextColumns(asText, set.file, set.findings);
   Table table;
-  table.names = header->names;
-  nameJoints(table.names, cells);
-  for (std::size_t c = 0; c < cells.size(); ++c)
-    table.columns.push_back(table.names[c] == kLabelField ? toLabels(cells[c], set) : toNumbers(cells[c]));
+  table.names = std::move(asText.names);
+  table.owners = std::move(asText.owners);
+  for (std::size_t c = 0; c < asText.cells.size(); ++c)
+    table.columns.push_back(table.names[c] == kLabelField ? toLabels(asText.cells[c], set)
+                                                          : toNumbers(asText.cells[c]));
   if (text.namesMissing) {
-    const auto guessed = guessNames(table.names, table.columns);
+    if (guessed.empty()) guessed = guessNames(table.names, table.columns);
     set.findings.push_back(
         {Severity::warning,
          "names_missing",

@@ -36,6 +36,7 @@ std::string_view stripped(std::string_view cell) {
 Cells cellsOf(std::string_view line, char separator) {
   Cells out;
   bool quoted = false;
+  int lists = 0;  // blanks within "[0.1 0.2]" separate no cells
   std::size_t start = 0;
   const auto close = [&](std::size_t end) {
     const auto cell = stripped(line.substr(start, end - start));
@@ -44,7 +45,9 @@ Cells cellsOf(std::string_view line, char separator) {
   };
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == '"') quoted = !quoted;
-    if (line[i] == separator && !quoted) close(i);
+    if (separator == ' ' && line[i] == '[') ++lists;
+    if (separator == ' ' && line[i] == ']') --lists;
+    if (line[i] == separator && !quoted && lists <= 0) close(i);
   }
   close(line.size());
   return out;
@@ -64,6 +67,20 @@ bool isCommaNumber(std::string_view cell) {
   return cell.find('.') == std::string_view::npos && isPlainNumber(point);
 }
 
+/// How many numbers "[0.1, 0.2]" or "[0.1 0.2]" holds; 0 for any other text.
+std::size_t numbersInList(std::string_view cell) {
+  if (cell.size() < 3 || cell.front() != '[' || cell.back() != ']') return 0;
+  cell = cell.substr(1, cell.size() - 2);
+  std::size_t count = 0;
+  while (!cell.empty()) {
+    const auto end = std::min(cell.find_first_of(", "), cell.size());
+    if (end > 0 && !isPlainNumber(cell.substr(0, end))) return 0;
+    count += end > 0 ? 1 : 0;
+    cell.remove_prefix(std::min(end + 1, cell.size()));
+  }
+  return count;
+}
+
 struct RowLook {
   std::size_t cells = 0;
   std::size_t numbers = 0;       ///< Dates count.
@@ -77,6 +94,8 @@ RowLook lookAt(std::string_view line, char separator) {
     ++out.cells;
     if (isPlainNumber(cell) || secondsOfDate(cell)) {
       ++out.numbers;
+    } else if (const auto listed = numbersInList(cell); listed > 0) {
+      out.numbers += listed;
     } else if (separator != ',' && isCommaNumber(cell)) {
       ++out.numbers;
       ++out.commaNumbers;

@@ -19,19 +19,20 @@ constexpr double kSilence = 2.0;   ///< [s] without a sample, after which the us
 }  // namespace
 
 BridgeSource::BridgeSource(const std::string& what, std::string host, std::uint16_t port, std::string protocols,
-                           std::vector<std::string> jointNames)
+                           std::vector<std::string> jointNames, const Conventions& conventions)
     : ThreadedSource(fmt::format("{} {}:{}", what, host, port)),
       host_(std::move(host)),
       port_(port),
       protocols_(std::move(protocols)),
-      jointNames_(std::move(jointNames)) {}
+      jointNames_(std::move(jointNames)),
+      conventions_(conventions) {}
 
 void BridgeSource::run(const std::stop_token& stopping) {
   while (!stopping.stop_requested()) {
     auto made = WebSocketClient::connect(host_, port_, protocols_, kPatience);
     if (made) {
       client_.emplace(std::move(*made));
-      mapper_ = FieldMapper(jointNames_);
+      mapper_ = FieldMapper(jointNames_, conventions_);
       clock_ = {};
       lastStamp_.clear();
       configuredTold_ = false;

@@ -19,7 +19,7 @@ class BridgeSource : public ThreadedSource {
 
  protected:
   BridgeSource(const std::string& what, std::string host, std::uint16_t port, std::string protocols,
-               std::vector<std::string> jointNames);
+               std::vector<std::string> jointNames, const Conventions& conventions);
 
   /// After each connection; may send().
   virtual void connected() = 0;
@@ -45,6 +45,7 @@ class BridgeSource : public ThreadedSource {
   const std::uint16_t port_;
   const std::string protocols_;
   const std::vector<std::string> jointNames_;
+  const Conventions conventions_;
   std::optional<WebSocketClient> client_;
   FieldMapper mapper_;
   StampClock clock_;

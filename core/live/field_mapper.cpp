@@ -18,19 +18,18 @@ namespace {
 constexpr std::size_t kMostTopics = 256;
 constexpr std::size_t kMostPublishers = 16;  ///< On one topic; a sender whose names never stay the same has no memory.
 
-/// The values at `places`, if all are finite.
+}  // namespace
+
 template <class Out>
-bool pick(const std::vector<int>& places, const std::vector<double>& values, Out& out) {
+bool FieldMapper::pick(const std::vector<Place>& places, const std::vector<double>& values, Out& out) {
   if (places.empty()) return false;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const double value = values[static_cast<std::size_t>(places[i])];
+    const double value = places[i].scale * values[places[i].field];
     if (!std::isfinite(value)) return false;
     out[i] = value;
   }
   return true;
 }
-
-}  // namespace
 
 FieldMapper::Places FieldMapper::learn(const std::string& topic, const std::string& type,
                                        const std::vector<std::string>& names) {
@@ -43,14 +42,14 @@ FieldMapper::Places FieldMapper::learn(const std::string& topic, const std::stri
   for (const auto& candidate : findCandidates(streams, jointNames_)) {
     if (candidate.score < 0) continue;
     const bool wrongArm = !jointNames_.empty() && candidate.columns.size() != jointNames_.size();
-    std::vector<int>* target = nullptr;
+    std::vector<Place>* target = nullptr;
     if (candidate.part == "joints" && candidate.columns.size() <= 7 && !wrongArm) target = &places.joints;
     if (candidate.part == "velocities" && candidate.columns.size() <= 7 && !wrongArm) target = &places.velocities;
     if (candidate.part == "quaternion") target = &places.quaternion;
     if (candidate.part == "position") target = &places.position;
     if (candidate.part == "wrench") target = &places.wrench;
     if (target == nullptr || !target->empty()) continue;
-    for (const auto& column : candidate.columns) target->push_back(static_cast<int>(column.field));
+    for (const auto& column : candidate.columns) target->push_back({column.field, scaleWithin(column, conventions_)});
     if (target == &places.joints) places.motionScore = 100 + candidate.score;
     if (target == &places.quaternion) places.motionScore = std::max(places.motionScore, candidate.score);
     if (target == &places.wrench) places.wrenchScore = candidate.score;

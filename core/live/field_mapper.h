@@ -13,7 +13,9 @@ namespace heft {
 class FieldMapper {
  public:
   /// `jointNames`: of the arm, from base to tip; joints are then found by name, whatever their order in a message.
-  explicit FieldMapper(std::vector<std::string> jointNames = {}) : jointNames_(std::move(jointNames)) {}
+  /// `conventions`: which the samples keep, but for units that a number's name states.
+  explicit FieldMapper(std::vector<std::string> jointNames = {}, const Conventions& conventions = {})
+      : jointNames_(std::move(jointNames)), conventions_(conventions) {}
 
   /// Numbers of one message of a topic (empty for JSON over UDP). Nothing if the topic has neither motion nor wrench,
   /// or another topic, or another publisher on the same one, has the better ones. Publishers are told apart by the
@@ -27,14 +29,21 @@ class FieldMapper {
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
+  struct Place {
+    std::size_t field = 0;
+    double scale = 1.0;  ///< What its name says of its unit, see scaleWithin().
+  };
   /// Where the numbers of one publisher are among a message's.
   struct Places {
     std::vector<std::string> names;
-    std::vector<int> joints, velocities, quaternion, position, wrench;
+    std::vector<Place> joints, velocities, quaternion, position, wrench;
     int motionScore = -1, wrenchScore = -1;
     /// More joints are the arm's, fewer a gripper's.
     std::pair<int, std::size_t> motionRank() const { return {motionScore, joints.size()}; }
   };
+  /// The numbers at `places`, if all are finite.
+  template <class Out>
+  static bool pick(const std::vector<Place>& places, const std::vector<double>& values, Out& out);
   Places learn(const std::string& topic, const std::string& type, const std::vector<std::string>& names);
   const Places* placesOf(const std::string& topic, const std::string& type, const std::vector<std::string>& names);
   void noteOnce(const std::string& sentence);
@@ -43,6 +52,7 @@ class FieldMapper {
                   LiveSample& sample);
 
   std::vector<std::string> jointNames_;
+  Conventions conventions_;
   std::map<std::string, std::vector<Places>> topics_;  ///< By topic; one a publisher.
   std::vector<std::string> notes_;
 };

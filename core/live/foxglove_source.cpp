@@ -35,9 +35,10 @@ struct Channel {
 
 class FoxgloveSource : public BridgeSource {
  public:
-  FoxgloveSource(std::string host, std::uint16_t port, std::vector<std::string> jointNames)
+  FoxgloveSource(std::string host, std::uint16_t port, std::vector<std::string> jointNames,
+                 const Conventions& conventions)
       : BridgeSource("Foxglove bridge", std::move(host), port, "foxglove.sdk.v1, foxglove.websocket.v1",
-                     std::move(jointNames)) {}
+                     std::move(jointNames), conventions) {}
   ~FoxgloveSource() override { FoxgloveSource::stop(); }
 
  protected:
@@ -141,8 +142,9 @@ class FoxgloveSource : public BridgeSource {
 }  // namespace
 
 std::unique_ptr<LiveSource> makeFoxgloveSource(const std::string& host, std::uint16_t port,
-                                               const std::vector<std::string>& jointNames) {
-  return std::make_unique<FoxgloveSource>(host, port, jointNames);
+                                               const std::vector<std::string>& jointNames,
+                                               const Conventions& conventions) {
+  return std::make_unique<FoxgloveSource>(host, port, jointNames, conventions);
 }
 
 }  // namespace heft

@@ -19,11 +19,12 @@ constexpr double kSenderGone = 1.0;  ///< [s] after which the sender counts as g
 
 class JsonUdpSource : public ThreadedSource {
  public:
-  JsonUdpSource(std::string host, std::uint16_t port, std::vector<std::string> jointNames)
+  JsonUdpSource(std::string host, std::uint16_t port, std::vector<std::string> jointNames,
+                const Conventions& conventions)
       : ThreadedSource(fmt::format("JSON over UDP {}:{}", host, port)),
         host_(std::move(host)),
         port_(port),
-        mapper_(std::move(jointNames)) {}
+        mapper_(std::move(jointNames), conventions) {}
   ~JsonUdpSource() override { JsonUdpSource::stop(); }
 
  protected:
@@ -101,8 +102,9 @@ class JsonUdpSource : public ThreadedSource {
 }  // namespace
 
 std::unique_ptr<LiveSource> makeJsonUdpSource(const std::string& host, std::uint16_t port,
-                                              const std::vector<std::string>& jointNames) {
-  return std::make_unique<JsonUdpSource>(host, port, jointNames);
+                                              const std::vector<std::string>& jointNames,
+                                              const Conventions& conventions) {
+  return std::make_unique<JsonUdpSource>(host, port, jointNames, conventions);
 }
 
 }  // namespace heft

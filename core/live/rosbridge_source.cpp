@@ -17,8 +17,10 @@ using nlohmann::json;
 
 class RosbridgeSource : public BridgeSource {
  public:
-  RosbridgeSource(std::string host, std::uint16_t port, RosbridgeTopics topics, std::vector<std::string> jointNames)
-      : BridgeSource("rosbridge", std::move(host), port, "", std::move(jointNames)), wished_(std::move(topics)) {}
+  RosbridgeSource(std::string host, std::uint16_t port, RosbridgeTopics topics, std::vector<std::string> jointNames,
+                  const Conventions& conventions)
+      : BridgeSource("rosbridge", std::move(host), port, "", std::move(jointNames), conventions),
+        wished_(std::move(topics)) {}
   ~RosbridgeSource() override { RosbridgeSource::stop(); }
 
  protected:
@@ -82,8 +84,9 @@ class RosbridgeSource : public BridgeSource {
 
 std::unique_ptr<LiveSource> makeRosbridgeSource(const std::string& host, std::uint16_t port,
                                                 const RosbridgeTopics& topics,
-                                                const std::vector<std::string>& jointNames) {
-  return std::make_unique<RosbridgeSource>(host, port, topics, jointNames);
+                                                const std::vector<std::string>& jointNames,
+                                                const Conventions& conventions) {
+  return std::make_unique<RosbridgeSource>(host, port, topics, jointNames, conventions);
 }
 
 }  // namespace heft

@@ -116,7 +116,8 @@ Error badAddress(const std::string& address) {
 }  // namespace
 
 Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address, const std::filesystem::path& replayMeta,
-                                                   const std::vector<std::string>& jointNames) {
+                                                   const std::vector<std::string>& jointNames,
+                                                   const Conventions& conventions) {
   Address parts;
   if (address == "virtual" || address.starts_with("virtual:")) {
     std::uint64_t seed = 1;
@@ -182,7 +183,7 @@ Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address, c
   if (host.empty() && parts.kind != "udp") return badAddress(address);
   if (parts.kind == "udp") {
     if (auto failure = unknownParameter()) return *failure;
-    return makeJsonUdpSource(host.empty() ? "127.0.0.1" : host, *port, jointNames);
+    return makeJsonUdpSource(host.empty() ? "127.0.0.1" : host, *port, jointNames, conventions);
   }
   if (parts.kind == "rdt") {
     RdtSettings settings;
@@ -207,14 +208,14 @@ Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address, c
   }
   if (parts.kind == "foxglove") {
     if (auto failure = unknownParameter()) return *failure;
-    return makeFoxgloveSource(host, port.value_or(8765), jointNames);
+    return makeFoxgloveSource(host, port.value_or(8765), jointNames, conventions);
   }
   if (parts.kind == "rosbridge") {
     RosbridgeTopics topics;
     topics.wrench = take("wrench");
     topics.joints = take("joints");
     if (auto failure = unknownParameter()) return *failure;
-    return makeRosbridgeSource(host, port.value_or(9090), topics, jointNames);
+    return makeRosbridgeSource(host, port.value_or(9090), topics, jointNames, conventions);
   }
   return badAddress(address);
 }

@@ -108,11 +108,13 @@ class ThreadedSource : public LiveSource {
 ///   replay:FILE[?speed=N]            a recording, in real time
 ///   virtual:[SEED]                   a simulated Panda with a tool that the seed chooses, moving by itself
 /// `replayMeta`: the meta file of a recording that is replayed; empty: its own, if it exists. A replay's samples are in
-/// the plain form. `jointNames`: of the arm, from base to tip, where it is known; joints are then found by name. Fails
-/// with a sentence that lists these forms.
+/// the plain form. `jointNames`: of the arm, from base to tip, where it is known; joints are then found by name.
+/// `conventions`: which the samples keep, but for units that the names of numbers state. Fails with a sentence that
+/// lists these forms.
 Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address,
                                                    const std::filesystem::path& replayMeta = {},
-                                                   const std::vector<std::string>& jointNames = {});
+                                                   const std::vector<std::string>& jointNames = {},
+                                                   const Conventions& conventions = {});
 
 /// Names of the joints that move on the way to the sensor; none where no robot is named or it cannot be read.
 std::vector<std::string> jointNamesOf(const RecordingMeta& meta);

@@ -24,13 +24,15 @@ std::unique_ptr<LiveSource> makeRdtSource(const RdtSettings& settings);
 std::unique_ptr<LiveSource> makeRtdeSource(const std::string& host, std::uint16_t port);
 
 /// JSON objects with a CSV's column names, one a datagram; nested objects are paths ("a.b[0]"). `jointNames` here and
-/// below: of the arm, from base to tip, or none.
+/// below: of the arm, from base to tip, or none. `conventions`: which the samples keep, but for units that names state.
 std::unique_ptr<LiveSource> makeJsonUdpSource(const std::string& host, std::uint16_t port,
-                                              const std::vector<std::string>& jointNames = {});
+                                              const std::vector<std::string>& jointNames = {},
+                                              const Conventions& conventions = {});
 
 /// Foxglove WebSocket protocol: subscribes to joint states, wrenches, poses and robot states.
 std::unique_ptr<LiveSource> makeFoxgloveSource(const std::string& host, std::uint16_t port,
-                                               const std::vector<std::string>& jointNames = {});
+                                               const std::vector<std::string>& jointNames = {},
+                                               const Conventions& conventions = {});
 
 struct RosbridgeTopics {
   std::string wrench;  ///< geometry_msgs/WrenchStamped; empty: what rosapi lists
@@ -38,7 +40,8 @@ struct RosbridgeTopics {
 };
 std::unique_ptr<LiveSource> makeRosbridgeSource(const std::string& host, std::uint16_t port,
                                                 const RosbridgeTopics& topics,
-                                                const std::vector<std::string>& jointNames = {});
+                                                const std::vector<std::string>& jointNames = {},
+                                                const Conventions& conventions = {});
 
 /// A recording of any kind that openRecording reads, `speed` times as fast as it was recorded; the
 /// samples' times stay those of the motion, and they are in the plain form. `metaFile` may be empty: its own.

@@ -1,6 +1,7 @@
 #include "core/motion/inertial_witness.h"
 
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@ namespace heft {
 namespace {
 
 constexpr double kDisagrees = 0.3;    ///< [m/s2] As much as 1.8 degrees of gravity.
+constexpr double kClearlyLess = 0.8;  ///< Of the squares that are left, from which on signs are turned.
 constexpr double kShareMissed = 0.5;  ///< Of the accelerations beside gravity that it may feel otherwise.
 
 std::string turnOf(const AccelerometerMount& mount) {
@@ -21,6 +23,14 @@ std::string turnOf(const AccelerometerMount& mount) {
 
 void note(Severity severity, const char* code, std::string text, std::string remedy, Motion& motion) {
   motion.findings.push_back({severity, code, std::move(text), std::move(remedy), {}});
+}
+
+/// Readings that point the other way: some drivers give gravity, less the acceleration, in place of what is felt. No
+/// rotation does the same, unless gravity turns in one plane of the sensor alone, where the sign does not matter.
+bool pointsTheOtherWay(const std::optional<AccelerometerMount>& asRead,
+                       const std::optional<AccelerometerMount>& turned) {
+  if (!asRead || !turned) return turned.has_value();
+  return turned->rms * turned->rms < kClearlyLess * asRead->rms * asRead->rms;
 }
 
 /// The specific force that is not gravity, per axis.
@@ -36,9 +46,21 @@ double beyondGravity(const Motion& motion) {
 
 }  // namespace
 
-void hearAccelerometer(const Eigen::Matrix3Xd& readings, const Eigen::Matrix3Xd& rates, Motion& motion) {
-  const auto mount =
-      mountOf({readings, motion.specificForce, motion.omega, motion.alpha, rates}, motion.originAccelerationKnown);
+void hearAccelerometer(const Eigen::Matrix3Xd& given, const Eigen::Matrix3Xd& rates, Motion& motion) {
+  const auto mountFor = [&](const Eigen::Matrix3Xd& y) {
+    return mountOf({y, motion.specificForce, motion.omega, motion.alpha, rates}, motion.originAccelerationKnown);
+  };
+  auto mount = mountFor(given);
+  Eigen::Matrix3Xd readings = given;
+  if (const auto turned = mountFor(-given); pointsTheOtherWay(mount, turned)) {
+    mount = turned;
+    readings = -given;
+    note(
+        Severity::info, "accelerometer_gravity",
+        heft::say("The accelerometer reports gravity in place of what is felt (at rest it points down); its signs were "
+                  "turned."),
+        {}, motion);
+  }
   if (!mount) {
     note(Severity::info, "accelerometer_unused",
          heft::say("The accelerometer was not used: its readings do not follow how gravity turns in the sensor."),

@@ -8811,6 +8811,18 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The only one that is used.</source>
         <translation>Die einzige, die verwendet wird.</translation>
     </message>
+    <message>
+        <source>The rows are of {} frames, each a source of its own: {}.</source>
+        <translation>Die Zeilen gehören zu {} Koordinatensystemen, jedes eine eigene Quelle: {}.</translation>
+    </message>
+    <message>
+        <source>{} rows have no {} and were set aside.</source>
+        <translation>{} Zeilen haben kein {} und wurden beiseitegelassen.</translation>
+    </message>
+    <message>
+        <source>The accelerometer reports gravity in place of what is felt (at rest it points down); its signs were turned.</source>
+        <translation>Der Beschleunigungssensor meldet die Schwerkraft anstelle dessen, was er spürt (in Ruhe zeigt er nach unten); seine Vorzeichen wurden umgekehrt.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

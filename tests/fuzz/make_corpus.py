@@ -76,6 +76,14 @@ def main():
         put("table", name, text)
         put("recording", name, text)
     put("table", "headless.csv", table(header=None))
+    put("table", "lists.csv", "time,name,position,fx,fy,fz\n"
+        + "".join(f"0.0{k},\"['a', 'b']\",\"[0.{k}, 1]\",1,2,3\n" for k in range(4)) + '0.05,"[(",")",1,2,3\n')
+    put("table", "frames.csv", "time,child_frame_id,px,py,pz,qx,qy,qz,qw\n"
+        + "".join(f"0.0{k},{frame},{k},0,0,0,0,0,1\n" for k in range(4) for frame in ("tool0", "cam", "")))
+    put("table", "a_joint_a_row.csv", "time,joint,position\n"
+        + "".join(f"0.0{k},j{j},{k}\n" for k in range(4) for j in range(3)))
+    put("table", "echo.csv", "".join(f"17,{k},,a,b,0.{k},1\n18,{k},f,a,b,0.{k},1,\n" for k in range(3))
+        + "".join(f"17,{k},,a,b,c,0.{k},1,2,3,4,5\n" for k in range(3)))
     lines = "".join(
         json.dumps({"time": 0.01 * k, "q": [0.1 * k] * 7, "wrench": {"force": {"x": k, "y": 1, "z": 2}, "torque": [1, 2, 3]}}) + "\n"
         for k in range(12)
@@ -108,6 +116,9 @@ def main():
     put("messages", "wrench", b"geometry_msgs/Wrench\n" + WRENCH.encode() + b"\0" + cdr([1, 2, 3, 4, 5, 6]))
     put("messages", "joints", b"sensor_msgs/JointState\n" + JOINTS.encode() + b"\0"
         + struct.pack("<II2sI2d", 1, 2, b"j1", 2, 0.1, 0.2) + struct.pack("<I", 0))
+    transforms = ("a/T[] transforms\n" + "=" * 80 + "\nMSG: a/T\nstring child_frame_id\nfloat64 x\n").encode()
+    put("messages", "transforms", b"a/TF\n" + transforms + b"\0" + struct.pack("<II2sd", 2, 2, b"t0", 1.0)
+        + struct.pack("<Id", 0, 2.0))
     put("messages", "odd", b"a/B\nB b\nfloat64[4294967295] x\nstring<=9 s\nint8 X=1\n\0\0\1\0\0\xff\xff\xff\xff")
     put("map", "full.json", '{"use":{"wrench":"/ft","q1":"/arm:position[j1]","time":"t"},"scale":{"torque":0.001},"offset_s":{"/ft":0.01},'
         '"join":["w.csv"],"pose_of":"flange","clock":"header","rate_hz":125,"sensor":{"torque_unit":"N mm"}}')
@@ -139,6 +150,7 @@ def main():
         't{"op":"publish","topic":"/ft","msg":' + body.decode() + "}",
         't{"op":"publish","topic":"/js","msg":{"header":{"stamp":{"secs":-9e18,"nsecs":1}},"name":["a","b"],"position":[1,NaN],"velocity":[null,2]}}']))
     put("udp", "lines", '{"time":1,"q1":0,"q2":0,"q3":0,"q4":0,"q5":0,"q6":0,"q7":0,"fx":1,"fy":2,"fz":3,"tx":4,"ty":5,"tz":6}\n{"a":{"b":[1,[2,{"c":3}]]}}\n[1]\n')
+    put("udp", "units", '{"time_ms":1,"Fx (N)":1,"fy_kgf":2,"torque_kgf_cm[0]":4,"q1_deg":1e308,"_":1,"n_m_":2,"kgf":1}\n')
     facets = "".join(f"facet normal 0 0 1\nouter loop\nvertex 0 0 {k}\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n" for k in range(2))
     put("mesh", "ascii", "stl\nsolid x\n" + facets + "endsolid x\n")
     put("mesh", "binary", b"stl\n" + b"\0" * 80 + struct.pack("<I", 1) + struct.pack("<12f", *[0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0]) + b"\0\0")

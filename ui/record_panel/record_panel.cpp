@@ -202,7 +202,7 @@ void RecordPanel::listenTo(LiveOrigin origin, bool poses) {
   LiveSetup setup;
   const auto jointNames = jointNamesOf(origin.meta);
   for (const std::string& address : origin.addresses) {
-    auto source = makeLiveSource(address, origin.replayMeta, jointNames);
+    auto source = makeLiveSource(address, origin.replayMeta, jointNames, origin.meta.conventions);
     if (!source) return fail(QString::fromStdString(source.error().message));
     setup.sources.push_back(std::move(*source));
   }

@@ -15,7 +15,7 @@ const Vector3d kGravity(0.0, 0.0, -9.81);
 const Vector3d kLever(0.04, -0.02, 0.07);  // [m]
 const Vector3d kBias(0.12, -0.08, 0.05);   // [m/s2]
 const Vector3d kMountRpy(0.4, -0.9, 2.1);  // [rad]
-constexpr double kSensorNoise = 0.02;            // [m/s2]
+constexpr double kSensorNoise = 0.02;      // [m/s2]
 
 Matrix3d rotationAt(double t) {
   return rotationFromVector({1.1 * std::sin(1.7 * t), 0.8 * std::sin(2.3 * t + 0.4), 0.9 * std::sin(1.3 * t + 1.0)});
@@ -91,6 +91,21 @@ TEST(Accelerometer, StandsInForTheAccelerationThatOrientationLacks) {
     // Its own place is not told by a motion without positions, so it is measured there.
     EXPECT_LT(errorAt(*heard, kLever), 0.25 * errorAt(*deaf, kLever));
   }
+}
+
+TEST(Accelerometer, OneThatReportsGravityIsTurned) {
+  for (const bool positions : {false, true})
+    for (const bool gyroscope : {false, true}) {
+      Recording recording = recorded(positions, gyroscope, 5);
+      const auto usual = motionOf(recording, nullptr, {});
+      recording.accelerometer *= -1.0;
+      const auto turned = motionOf(recording, nullptr, {});
+      ASSERT_TRUE(usual.ok() && turned.ok());
+      EXPECT_FALSE(says(*usual, "accelerometer_gravity"));
+      EXPECT_TRUE(says(*turned, "accelerometer_gravity"));
+      EXPECT_TRUE(says(*turned, positions ? "accelerometer_agrees" : "accelerometer_used"));
+      EXPECT_NEAR((turned->specificForce - usual->specificForce).norm(), 0.0, 1e-9 * usual->specificForce.norm());
+    }
 }
 
 TEST(Accelerometer, ItsWholeMountIsFoundWhereTheMotionIsKnown) {
