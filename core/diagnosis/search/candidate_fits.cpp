@@ -157,6 +157,12 @@ void addReplaced(const Signals& signals, const std::vector<Stretch>& stretches, 
 
 }  // namespace
 
+Model without(const Model& model, std::string_view cause) {
+  Model out = model;
+  std::erase_if(out.terms, [&](const Term& t) { return causeOf(t) == cause; });
+  return out;
+}
+
 bool contains(const Model& model, std::string_view cause) {
   return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& t) { return causeOf(t) == cause; });
 }

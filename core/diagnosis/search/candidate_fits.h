@@ -24,6 +24,8 @@ inline bool takesAnyCourse(const Model& model) {
 
 /// Whether any term is of that cause.
 bool contains(const Model& model, std::string_view cause);
+/// Terms of `cause` are one cause: this takes them all out.
+Model without(const Model& model, std::string_view cause);
 
 /// Causes in the model, but for a zero that walks.
 std::ptrdiff_t causesIn(const Model& model);

@@ -125,12 +125,6 @@ bool areTooMany(const Model& model) { return causesIn(model) >= kOverfitted || m
 
 }  // namespace
 
-Model without(const Model& model, std::string_view cause) {
-  Model out = model;
-  std::erase_if(out.terms, [&](const Term& t) { return causeOf(t) == cause; });
-  return out;
-}
-
 std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
                              const Fit& base, std::span<const std::string_view> causes, std::size_t most) {
   const auto ranked = promises(signals, stretches, bank, base, causes);

@@ -65,9 +65,6 @@ struct Search {
   bool givenUp = false;            ///< `final` is as far as it came, and nothing was compared
 };
 
-/// Terms of `cause` are one cause: `without` takes them all out.
-Model without(const Model& model, std::string_view cause);
-
 /// `bank`: of these signals. Nothing is compared yet.
 Search search(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
               const SearchOptions& options, const Progress& progress);
