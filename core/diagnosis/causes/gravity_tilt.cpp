@@ -63,7 +63,7 @@ class GravityTilt final : public Cause {
   bool bendsGeometry() const override { return true; }
   void geometry(const Form& form, const VectorXd& v, const Signals& signals, Kinematics& kinematics) const override {
     const auto [x, y] = acrossGravity(signals.gravity);
-    const auto changeAt = [&](double sunk) -> Vector3d {
+    const auto changeAt = [&, x = x, y = y](double sunk) -> Vector3d {
       Eigen::Vector2d tilt = v.head<2>();
       if (sunk > 0.0) tilt += sunk * v.segment<2>(2);
       return rotationFromVector(tilt(0) * x + tilt(1) * y) * signals.gravity - signals.gravity;

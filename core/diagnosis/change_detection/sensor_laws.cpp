@@ -81,7 +81,7 @@ bool areTorquesAlone(const Fit& fit, const std::vector<Contact>& contacts, const
 bool areMixedUp(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts, const Beyond& beyond) {
   double all = 0.0, left = 0.0;
   for (const Contact& contact : contacts) {
-    const auto [from, to] = contact.blocks;
+    const Eigen::Index from = contact.blocks.from, to = contact.blocks.to;
     VectorXd asTheyAre = VectorXd::Zero(to - from);
     for (Eigen::Index n = from; n < to; ++n)
       for (Eigen::Index c = 0; c < 6; ++c) asTheyAre(n - from) += beyond.of(fit.residual(c, n), c);

@@ -47,7 +47,7 @@ std::vector<DeadBand> deadBands(const Recording& recording) {
     band.share = static_cast<double>(count) / static_cast<double>(rows);
     if (count < kFewestReadings || band.share < kLeastShare) continue;
     // A gap to either side, and readings as close to one another as ever just beyond it.
-    readings.erase(std::ranges::unique(readings).begin(), readings.end());
+    readings.erase(std::unique(readings.begin(), readings.end()), readings.end());
     const auto at = std::ranges::lower_bound(readings, band.reads);
     if (at == readings.begin() || at + 1 == readings.end()) continue;
     band.width = std::min(*at - *(at - 1), *(at + 1) - *at);

@@ -208,14 +208,15 @@ Following<Scalar> following(Scalar kappa) {
 
 Eigen::MatrixXd onePole(const Eigen::Ref<const Eigen::MatrixXd>& value, double T, double rateHz) {
   const auto [keep, weight] = following(1.0 / (T * rateHz));
-  return columnwise(value, [keep, weight]<int Rows>(const ConstMappedColumns<Rows>& u, MappedColumns<Rows> out) {
-    MappedColumn<Rows> y = u.col(0);
-    out.col(0) = y;
-    for (Eigen::Index k = 0; k + 1 < out.cols(); ++k) {
-      y = keep * y + weighed<Rows>(u, k - 1, weight);
-      out.col(k + 1) = y;
-    }
-  });
+  return columnwise(
+      value, [keep = keep, weight = weight]<int Rows>(const ConstMappedColumns<Rows>& u, MappedColumns<Rows> out) {
+        MappedColumn<Rows> y = u.col(0);
+        out.col(0) = y;
+        for (Eigen::Index k = 0; k + 1 < out.cols(); ++k) {
+          y = keep * y + weighed<Rows>(u, k - 1, weight);
+          out.col(k + 1) = y;
+        }
+      });
 }
 
 Eigen::MatrixXd throughSpring(const Eigen::Ref<const Eigen::MatrixXd>& value, double frequencyHz, double damping,

@@ -562,7 +562,7 @@ TEST(Diagnose, WhatPushesTheWayTheToolGoes) {
   for (const auto& [cause, what, size] : {Push{"viscous_drag", "drag", 1.5}, Push{"coulomb_friction", "friction", 0.5},
                                           Push{"cable_pull", "stiffness", 3.0}}) {
     Recording recording = aRecording(MotionKind::excitation, 641);
-    holdBack(recording, [&](const Vector3d& position, const Vector3d& velocity) -> Vector3d {
+    holdBack(recording, [what = what, size = size](const Vector3d& position, const Vector3d& velocity) -> Vector3d {
       if (what == std::string("drag")) return -size * velocity;
       if (what == std::string("friction")) return -size * velocity / std::sqrt(velocity.squaredNorm() + 1e-5);
       return -size * (position - Vector3d(0.2, -0.3, 0.5));
