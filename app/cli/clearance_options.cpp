@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/cli.h"
+#include "app/cli/recording_options.h"
 #include "core/base/json_file.h"
 #include "core/base/say.h"
 
@@ -29,13 +30,9 @@ void addClearanceOptions(CLI::App& app, ClearanceArguments& arguments) {
 
 Surroundings::Surroundings(const ClearanceArguments& arguments, const GuidedTool& tool, Findings& findings)
     : file_(arguments.room) {
-  if (!arguments.shape.empty() && !arguments.shapeFile.empty())
-    throw WrongUsage("--shape and --shape-file exclude each other; put all bodies into the file.");
   if (!file_.empty())
     room_ = orFail(roomFromJson(orFail(readJsonFile(file_)), file_, std::filesystem::path(file_).parent_path()));
-  HeldTool held{tool.link, tool.X_LS, std::nullopt};
-  if (!arguments.shape.empty()) held.shape = orFail(parseShape(arguments.shape));
-  if (!arguments.shapeFile.empty()) held.shape = orFail(readShapeFile(arguments.shapeFile));
+  const HeldTool held{tool.link, tool.X_LS, shapeChoice(arguments.shape, arguments.shapeFile)};
   auto made = Clearance::of(*tool.robot, held, room_, findings);
   if (made) {
     clearance_ = std::move(*made);

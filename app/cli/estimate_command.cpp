@@ -66,14 +66,7 @@ EstimateOptions estimateOptions(const EstimateArguments& options) {
   if (out.motion.order >= out.motion.window)
     throw WrongUsage(fmt::format("--sg-order {} needs a --sg-window of more than {} samples, not {}.", out.motion.order,
                                  out.motion.order, out.motion.window));
-  if (!options.shape.empty() && !options.shapeFile.empty())
-    throw WrongUsage("--shape and --shape-file exclude each other; put all bodies into the file.");
-  if (!options.shape.empty()) {
-    auto shape = parseShape(options.shape);
-    if (!shape) throw WrongUsage(shape.error().message);
-    out.shape = std::move(shape).value();
-  }
-  if (!options.shapeFile.empty()) out.shape = orFail(readShapeFile(options.shapeFile));
+  out.shape = shapeChoice(options.shape, options.shapeFile);
   std::optional<Certainty> certainty;
   if (!options.certainty.empty()) {
     constexpr std::array kCertainties{Certainty::rough, Certainty::good, Certainty::exact};

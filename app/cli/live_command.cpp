@@ -345,14 +345,7 @@ class LiveRun {
 void run(const LiveArguments& options) {
   EstimateOptions settings;
   if (options.duration != 0.0) requireRange("--duration", options.duration, 0.1, 86400.0, "s");
-  if (!options.shape.empty() && !options.shapeFile.empty())
-    throw WrongUsage("--shape and --shape-file exclude each other; put all bodies into the file.");
-  if (!options.shape.empty()) {
-    auto shape = parseShape(options.shape);
-    if (!shape) throw WrongUsage(shape.error().message);
-    settings.shape = std::move(shape).value();
-  }
-  if (!options.shapeFile.empty()) settings.shape = orFail(readShapeFile(options.shapeFile));
+  settings.shape = shapeChoice(options.shape, options.shapeFile);
   settings.conventions = conventionChoice(options.conventions);
   if (!options.record.empty() && std::filesystem::path(options.record).extension() != ".csv")
     throw WrongUsage(fmt::format("--record expects a name that ends in .csv, not '{}'.", printable(options.record)));

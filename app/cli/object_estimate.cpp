@@ -1,6 +1,7 @@
 #include "app/cli/object_estimate.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -11,16 +12,6 @@
 #include "core/estimation/picked_up.h"
 
 namespace heft::cli {
-
-namespace {
-
-std::string moments(const std::vector<double>& times) {
-  std::string out;
-  for (const double t : times) out += fmt::format("{}{:.1f}", out.empty() ? "" : ", ", t);
-  return out;
-}
-
-}  // namespace
 
 void estimateObject(const ObjectFiles& files, const ImportOptions& import, const EstimateOptions& given) {
   const bool one = files.without.empty();
@@ -41,14 +32,18 @@ void estimateObject(const ObjectFiles& files, const ImportOptions& import, const
   Input with = readInput(files.with, import, files.robot, line.progress());
   Input without;
   if (one) {
-    without = with;
+    without.robot = with.robot;
+    without.findings = with.findings;
     PickedUp parts = orFail(partsWithAndWithout(with.recording, with.model(), settings, line.progress()));
     if (!parts.pickedUpAt.empty())
-      with.findings.push_back(
-          {Severity::info, "picked_up", fmt::format("Picked up at {} s.", moments(parts.pickedUpAt)), {}, {}});
+      with.findings.push_back({Severity::info,
+                               "picked_up",
+                               fmt::format("Picked up at {:.1f} s.", fmt::join(parts.pickedUpAt, ", ")),
+                               {},
+                               {}});
     if (!parts.putDownAt.empty())
       with.findings.push_back(
-          {Severity::info, "put_down", fmt::format("Put down at {} s.", moments(parts.putDownAt)), {}, {}});
+          {Severity::info, "put_down", fmt::format("Put down at {:.1f} s.", fmt::join(parts.putDownAt, ", ")), {}, {}});
     with.recording = std::move(parts.with);
     without.recording = std::move(parts.without);
     settings.segments = SegmentMode::automatic;

@@ -59,4 +59,14 @@ void addRateOption(CLI::App& app, ImportOptions& options) {
       ->group("Reading the recording");
 }
 
+std::optional<Shape> shapeChoice(const std::string& shape, const std::string& shapeFile) {
+  if (!shape.empty() && !shapeFile.empty())
+    throw WrongUsage("--shape and --shape-file exclude each other; put all bodies into the file.");
+  if (!shapeFile.empty()) return orFail(readShapeFile(shapeFile));
+  if (shape.empty()) return std::nullopt;
+  auto parsed = parseShape(shape);
+  if (!parsed) throw WrongUsage(parsed.error().message);
+  return std::move(parsed).value();
+}
+
 }  // namespace heft::cli

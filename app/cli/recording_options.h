@@ -26,4 +26,7 @@ ConventionChoice conventionChoice(const std::string& word);
 /// What --segments says: auto, marks or all; nothing where it was not given. Throws WrongUsage.
 std::optional<SegmentMode> segmentChoice(const std::string& word);
 
+/// What --shape or --shape-file says; nothing where neither was given. Throws WrongUsage and Failed.
+std::optional<Shape> shapeChoice(const std::string& shape, const std::string& shapeFile);
+
 }  // namespace heft::cli

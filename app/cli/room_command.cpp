@@ -24,12 +24,11 @@ struct RoomArguments {
 };
 
 void writeTouched(const RoomArguments& options) {
-  if (options.shape.empty() == options.shapeFile.empty())
-    throw WrongUsage("Say by --shape or --shape-file what touched: a plane begins where the tool ends.");
+  const auto tool = shapeChoice(options.shape, options.shapeFile);
+  if (!tool) throw WrongUsage("Say by --shape or --shape-file what touched: a plane begins where the tool ends.");
   requireRange("--margin", options.margin, 0.0, 0.5, "m");
   const Overwrite overwrite{options.force, [](const std::string& old) { return hasSchema(old, "heft.room/1"); }};
   requireWritable(options.output, overwrite);
-  const Shape tool = orFail(options.shape.empty() ? readShapeFile(options.shapeFile) : parseShape(options.shape));
   ProgressLine line;
   const Input input = readInput(options.recording, options.import, options.robot, line.progress());
   const nlohmann::json result =
@@ -38,7 +37,7 @@ void writeTouched(const RoomArguments& options) {
   const CompensateOptions settings =
       orFail(compensateOptionsFromJson(result, options.result.empty() ? input.recording.file : options.result));
   const Compensated compensated = orFail(compensate(input.recording, input.model(), settings, line.progress()));
-  TouchedRoom touched = orFail(touchedRoom(input.recording, input.model(), compensated, tool));
+  TouchedRoom touched = orFail(touchedRoom(input.recording, input.model(), compensated, *tool));
   line.clear();
   touched.findings.insert(touched.findings.begin(), input.findings.begin(), input.findings.end());
   if (touched.planes.empty()) {

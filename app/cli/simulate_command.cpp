@@ -98,11 +98,7 @@ JointMotion motionIn(const Recording& recording) {
 
 /// Throws Failed where a motion that shall stay clear of a room does not.
 void requireClear(const ClearanceArguments& arguments, const Recording& recording) {
-  if (arguments.room.empty()) {
-    if (!arguments.shape.empty() || !arguments.shapeFile.empty())
-      throw WrongUsage("--shape and --shape-file say what the arm holds in a --room.");
-    return;
-  }
+  if (arguments.room.empty()) return;
   Findings findings;
   const GuidedTool tool = orFail(guidedTool(RobotModel::panda(), recording.meta.mount));
   const Surroundings around(arguments, tool, findings);
@@ -118,6 +114,8 @@ void run(SimulateArguments options) {
   if (options.motion.empty() && options.like.file.empty()) throw WrongUsage("--motion is required.");
   if (options.like.file.empty() && (options.like.fixed || !options.like.without.empty()))
     throw WrongUsage("--without and --fixed go with --like.");
+  if (options.clearance.room.empty() && !(options.clearance.shape + options.clearance.shapeFile).empty())
+    throw WrongUsage("--shape and --shape-file say what the arm holds in a --room.");
   if (options.motion.empty()) options.motion = words.back();
   const std::size_t motion = chooseWord("--motion", options.motion, words);
   options.simulate.motion = kMotions[motion];

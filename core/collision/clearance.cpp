@@ -82,13 +82,6 @@ Result<CollisionBody> solid(std::string name, int link, const Eigen::Matrix3Xd& 
   return body;
 }
 
-Eigen::Matrix3Xd boxCorners(const Vector3d& size) {
-  Eigen::Matrix3Xd out(3, 8);
-  for (int i = 0; i < 8; ++i)
-    out.col(i) = 0.5 * size.cwiseProduct(Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
-  return out;
-}
-
 Result<CollisionBody> bodyOf(const Obstacle& obstacle) {
   if (const auto* plane = std::get_if<RoomPlane>(&obstacle.body)) {
     CollisionBody body;
@@ -110,8 +103,7 @@ Result<CollisionBody> bodyOf(const Obstacle& obstacle) {
       triangles.push_back(
           {first + static_cast<int>(t[0]), first + static_cast<int>(t[1]), first + static_cast<int>(t[2])});
   }
-  body.vertices.resize(3, static_cast<Eigen::Index>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i) body.vertices.col(static_cast<Eigen::Index>(i)) = points[i];
+  body.vertices = columnsOf(points);
   body.surface = surfaceOf(body.vertices, triangles);
   setBall(body);
   return body;
@@ -238,7 +230,6 @@ Clearance::Clearance(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Clearance::Clearance(Clearance&&) noexcept = default;
 Clearance& Clearance::operator=(Clearance&&) noexcept = default;
 Clearance::~Clearance() = default;
-double Clearance::margin() const { return impl_->margin; }
 
 Result<Clearance> Clearance::of(const RobotModel& robot, const HeldTool& tool, const Room& room, Findings& findings) {
   auto impl = std::make_unique<Impl>();

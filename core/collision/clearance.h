@@ -54,7 +54,6 @@ class Clearance {
   /// The first moment of the whole course at which two bodies are nearer than the margin, to a millimetre; nothing
   /// where they never are.
   std::optional<Conflict> firstConflict(const JointMotion& motion) const;
-  double margin() const;
 
  private:
   struct Impl;

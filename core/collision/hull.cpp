@@ -52,6 +52,19 @@ bool ConvexHull::contains(const Vector3d& point) const {
   return faces.cols() > 0 && ((faces.topRows<3>().transpose() * point + faces.row(3).transpose()).array() <= 0.0).all();
 }
 
+Eigen::Matrix3Xd columnsOf(const std::vector<Vector3d>& points) {
+  Eigen::Matrix3Xd out(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) out.col(static_cast<Eigen::Index>(i)) = points[i];
+  return out;
+}
+
+Eigen::Matrix3Xd boxCorners(const Vector3d& size) {
+  Eigen::Matrix3Xd out(3, 8);
+  for (int i = 0; i < 8; ++i)
+    out.col(i) = 0.5 * size.cwiseProduct(Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
+  return out;
+}
+
 Result<ConvexHull> convexHull(const Eigen::Matrix3Xd& points) {
   if (points.cols() == 0) return Error{heft::say("There is no point to make a hull of.")};
   Eigen::Matrix3Xd given = thickened(points);
@@ -87,8 +100,7 @@ Result<ConvexHull> convexHull(const Eigen::Matrix3Xd& points) {
     out.triangles.push_back(triangle);
     faces.emplace_back(normal.x(), normal.y(), normal.z(), facet->offset);
   }
-  out.vertices.resize(3, static_cast<Eigen::Index>(vertices.size()));
-  for (std::size_t i = 0; i < vertices.size(); ++i) out.vertices.col(static_cast<Eigen::Index>(i)) = vertices[i];
+  out.vertices = columnsOf(vertices);
   out.faces.resize(4, static_cast<Eigen::Index>(faces.size()));
   for (std::size_t i = 0; i < faces.size(); ++i) out.faces.col(static_cast<Eigen::Index>(i)) = faces[i];
   return out;

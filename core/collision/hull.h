@@ -15,6 +15,11 @@ struct ConvexHull {
   bool contains(const Vector3d& point) const;
 };
 
+/// One column a point.
+Eigen::Matrix3Xd columnsOf(const std::vector<Vector3d>& points);
+/// Of a box about the origin with edges `size`.
+Eigen::Matrix3Xd boxCorners(const Vector3d& size);
+
 /// Of `points`, 3 x N [m], by Qhull (Barber, Dobkin, Huhdanpaa 1996, doi 10.1145/235815.235821). Points that lie in a
 /// plane, on a line or in one place get a thickness of half a millimetre first. Fails without points.
 Result<ConvexHull> convexHull(const Eigen::Matrix3Xd& points);

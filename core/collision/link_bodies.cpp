@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/collision/hull.h"
 #include "core/mesh/mesh.h"
 
 namespace heft {
@@ -22,10 +23,11 @@ void addRing(double radius, double z, std::vector<Vector3d>& points) {
 Result<std::vector<Vector3d>> pointsOf(const Visual& body) {
   std::vector<Vector3d> points;
   switch (body.kind) {
-    case Visual::Kind::box:
-      for (int i = 0; i < 8; ++i)
-        points.push_back(0.5 * body.size.cwiseProduct(Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+    case Visual::Kind::box: {
+      const Eigen::Matrix3Xd corners = boxCorners(body.size);
+      for (Eigen::Index i = 0; i < corners.cols(); ++i) points.emplace_back(corners.col(i));
       break;
+    }
     case Visual::Kind::cylinder:
       for (const double z : {-0.5, 0.5}) addRing(body.size.x(), z * body.size.y(), points);
       break;
@@ -52,12 +54,6 @@ Result<std::vector<Vector3d>> pointsOf(const Visual& body) {
   return points;
 }
 
-Eigen::Matrix3Xd asMatrix(const std::vector<Vector3d>& points) {
-  Eigen::Matrix3Xd out(3, static_cast<Eigen::Index>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i) out.col(static_cast<Eigen::Index>(i)) = points[i];
-  return out;
-}
-
 /// `link` hangs on `from` by fixed joints alone.
 bool isFixedBeyond(const RobotModel& robot, int link, int from) {
   while (link != from) {
@@ -79,10 +75,10 @@ Result<std::vector<LinkBody>> linkBodies(const RobotModel& robot, const std::opt
     for (const Visual& body : link.collisions.empty() ? link.visuals : link.collisions) {
       const auto points = pointsOf(body);
       if (!points) return points.error();
-      if (!link.collisions.empty() && !points->empty()) out.push_back({link.name, i, asMatrix(*points)});
+      if (!link.collisions.empty() && !points->empty()) out.push_back({link.name, i, columnsOf(*points)});
       if (link.collisions.empty()) looks.insert(looks.end(), points->begin(), points->end());
     }
-    if (!looks.empty()) out.push_back({link.name, i, asMatrix(looks)});
+    if (!looks.empty()) out.push_back({link.name, i, columnsOf(looks)});
   }
   return out;
 }

@@ -81,6 +81,9 @@ struct Report {
                                        ///< "turn_unsure", "sensor_turned", "force_and_torque"
 };
 
+/// Standard deviation of the centre along the axis known worst [m], from a covariance of phi (m, m c, I).
+double centreStd(const Payload& payload, const Eigen::Matrix<double, 10, 10>& ofPhi);
+
 /// As stated is not doubted where it leaves less than this share of the load beyond noise: a torque's sign, an axis or
 /// a turn of 15 degrees leaves a quarter and more; clean recordings leave a quarter of it.
 constexpr double kFits = 0.08;

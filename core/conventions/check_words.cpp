@@ -40,19 +40,15 @@ void addTurnUnsure(Report& report) {
   constexpr double kInterval = 1.96;               // 95 % of a normal distribution
   const Payload& p = report.payload;
   if (report.turnStd <= 0.0 || p.mass == 0.0) return;
-  Eigen::Matrix<double, 3, 10> centre = Eigen::Matrix<double, 3, 10>::Zero();  // d c / d phi
-  centre.col(0) = -p.com / p.mass;
-  centre.block<3, 3>(0, 1) = Matrix3d::Identity() / p.mass;
-  const Matrix3d ofCentre = centre * report.fromTurn * centre.transpose();
-  const double centreStd = std::sqrt(std::max(0.0, symmetricEigen(ofCentre).values(2)));
+  const double ofCentre = centreStd(p, report.fromTurn);
   const double massStd = std::sqrt(std::max(0.0, report.fromTurn(0, 0))) / std::abs(p.mass);
-  if (centreStd < kCentre && massStd < kMass) return;
+  if (ofCentre < kCentre && massStd < kMass) return;
   report.cautions.push_back(
       {Severity::warning,
        "turn_unsure",
        heft::say("This recording shows how the sensor or the robot's base is turned only to +- {:.1f} degrees. That "
                  "alone may move the centre of mass by {:.0f} mm.",
-                 kInterval * report.turnStd * 180.0 / std::numbers::pi, 1e3 * kInterval * centreStd),
+                 kInterval * report.turnStd * 180.0 / std::numbers::pi, 1e3 * kInterval * ofCentre),
        heft::say(
            "State the mount and gravity in the setup file, or record a motion that tilts and turns the tool more."),
        {}});
@@ -88,6 +84,13 @@ void addDisagreement(Report& report) {
 }
 
 }  // namespace
+
+double centreStd(const Payload& payload, const Eigen::Matrix<double, 10, 10>& ofPhi) {
+  Eigen::Matrix<double, 3, 10> J = Eigen::Matrix<double, 3, 10>::Zero();  // d c / d phi
+  J.col(0) = -payload.com / payload.mass;
+  J.block<3, 3>(0, 1) = Matrix3d::Identity() / payload.mass;
+  return std::sqrt(std::max(0.0, symmetricEigen(congruence(J, ofPhi)).values(2)));
+}
 
 void putIntoWords(const Question& question, Report& report) {
   const bool standing = question.kind == RecordingKind::poses;

@@ -8,6 +8,7 @@
 
 #include "core/base/say.h"
 #include "core/math/degrees.h"
+#include "core/recording/meta_file.h"
 
 namespace heft::conventions {
 
@@ -277,8 +278,7 @@ json metaPatch(const Reading& stated, const Reading& reading, const SensorMount&
   json out = heft::metaPatch(said);
   if (stated.sign != reading.sign) out["sensor"]["wrench_sign"] = signJson(reading.sign);
   if (meta.mount.rpy != mount.rpy)
-    out["sensor"]["mount"] = {
-        {"parent", mount.parent}, {"xyz_m", vector(mount.xyz)}, {"rpy_rad", vector(meta.mount.rpy)}};
+    out["sensor"]["mount"] = heft::toJson(SensorMount{mount.parent, mount.xyz, meta.mount.rpy});
   if (angleBetween(stated.gravity, reading.gravity) > kSameAngle) out["gravity_m_s2"] = vector(reading.gravity);
   return out.empty() ? json(nullptr) : out;
 }

@@ -11,7 +11,6 @@ namespace heft {
 
 namespace {
 
-using WhiteRows = Eigen::Matrix<double, 6, kColumns + 1>;
 using Noise = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 /// Length of a window [s]: a sum over it sees frequencies below 2.5 Hz, at which hands guide an arm.
@@ -27,23 +26,14 @@ std::vector<WhiteRows> windowSums(const WrenchRows& rows, const NoiseModel& nois
   std::vector<WhiteRows> out;
   const double length = rows.rateHz > 0.0 ? std::max(1.0, kWindow * rows.rateHz) : 1.0;
   for (const auto& run : runs) {
-    const Eigen::Index from = run.from + noise.order, count = run.to - from;
-    if (count <= 0) continue;
+    const std::vector<WhiteRows> white = whitenedRows(rows, noise, weights, run);
+    const auto count = static_cast<Eigen::Index>(white.size());
+    if (count == 0) continue;
     const auto windows = std::max<Eigen::Index>(1, std::lround(static_cast<double>(count) / length));
     for (Eigen::Index w = 0; w < windows; ++w) {
-      const Eigen::Index first = from + w * count / windows, last = from + (w + 1) * count / windows;
+      const Eigen::Index first = w * count / windows, last = (w + 1) * count / windows;
       WhiteRows sum = WhiteRows::Zero();
-      for (Eigen::Index k = first; k < last; ++k) {
-        WhiteRows E = blockRows(rows, k);
-        for (int i = 0; i < noise.order; ++i) {
-          const WhiteRows before = blockRows(rows, k - 1 - i);
-          for (int c = 0; c < 6; ++c) {
-            const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
-            if (i < model.order()) E.row(c) -= model.coefficients(i) * before.row(c);
-          }
-        }
-        sum += weights.col(k).cwiseSqrt().asDiagonal() * (noise.whitener * E);
-      }
+      for (Eigen::Index k = first; k < last; ++k) sum += white[static_cast<std::size_t>(k)];
       out.push_back(sum / std::sqrt(static_cast<double>(last - first)));
     }
   }

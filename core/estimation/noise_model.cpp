@@ -212,31 +212,36 @@ Wrenches innovations(const NoiseModel& noise, const Wrenches& residual, const st
   return out;
 }
 
+std::vector<WhiteRows> whitenedRows(const WrenchRows& rows, const NoiseModel& noise, const Wrenches& weights,
+                                    const Run& run) {
+  std::vector<WhiteRows> blocks, out;
+  for (Eigen::Index k = run.from; k < run.to; ++k) blocks.push_back(blockRows(rows, k));
+  WhiteRows E;
+  for (Eigen::Index k = noise.order; k < run.to - run.from; ++k) {
+    for (int c = 0; c < 6; ++c) {
+      const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
+      E.row(c) = blocks[static_cast<std::size_t>(k)].row(c);
+      for (int i = 0; i < model.order(); ++i)
+        E.row(c) -= model.coefficients(i) * blocks[static_cast<std::size_t>(k - 1 - i)].row(c);
+    }
+    out.push_back(weights.col(run.from + k).cwiseSqrt().asDiagonal() * (noise.whitener * E));
+  }
+  return out;
+}
+
 std::vector<Triangle> whitenedTriangles(const WrenchRows& rows, const NoiseModel& noise, const Wrenches& weights,
                                         const std::vector<Run>& runs, int folds) {
   Eigen::Index total = 0;
   for (const auto& run : runs) total += std::max<Eigen::Index>(0, run.to - run.from - noise.order);
   std::vector<TriangleBuilder> builders(static_cast<std::size_t>(folds));
   Eigen::Index seen = 0;
-  std::vector<Eigen::Matrix<double, 6, kColumns + 1>> blocks;
-  Eigen::Matrix<double, 6, kColumns + 1> E;
-  for (const auto& run : runs) {
-    blocks.clear();
-    for (Eigen::Index k = run.from; k < run.to; ++k) blocks.push_back(blockRows(rows, k));
-    for (Eigen::Index k = noise.order; k < run.to - run.from; ++k, ++seen) {
-      for (int c = 0; c < 6; ++c) {
-        const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
-        E.row(c) = blocks[static_cast<std::size_t>(k)].row(c);
-        for (int i = 0; i < model.order(); ++i)
-          E.row(c) -= model.coefficients(i) * blocks[static_cast<std::size_t>(k - 1 - i)].row(c);
-      }
-      const Eigen::Matrix<double, 6, kColumns + 1> white =
-          weights.col(run.from + k).cwiseSqrt().asDiagonal() * (noise.whitener * E);
+  for (const auto& run : runs)
+    for (const WhiteRows& white : whitenedRows(rows, noise, weights, run)) {
       auto& builder = builders[static_cast<std::size_t>(
           std::min<Eigen::Index>(folds - 1, seen * folds / std::max<Eigen::Index>(1, total)))];
       builder.add(white);
+      ++seen;
     }
-  }
   std::vector<Triangle> triangles;
   for (auto& builder : builders) triangles.push_back(builder.finish());
   return triangles;

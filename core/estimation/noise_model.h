@@ -70,6 +70,12 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> innovations(const NoiseModel& noise,
                                                      const Eigen::Matrix<double, 6, Eigen::Dynamic>& residual,
                                                      const std::vector<Run>& runs);
 
+/// All six rows of a block as [bias | Y | y], white and weighted.
+using WhiteRows = Eigen::Matrix<double, 6, kColumns + 1>;
+/// Those of a run, from the first block whose past the noise model knows; nothing in shorter runs.
+std::vector<WhiteRows> whitenedRows(const WrenchRows& rows, const NoiseModel& noise,
+                                    const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const Run& run);
+
 /// Whitened rows of the given runs as triangles, one for each of `folds` consecutive parts (for held-out checks); their
 /// merger is the whole problem. `weights` are those of the innovations (robust fit).
 std::vector<Triangle> whitenedTriangles(const WrenchRows& rows, const NoiseModel& noise,

@@ -8,6 +8,7 @@
 #include "core/estimation/configured.h"
 #include "core/estimation/estimate.h"
 #include "core/estimation/report_text.h"
+#include "core/recording/meta_file.h"
 
 namespace heft {
 
@@ -163,44 +164,42 @@ std::string headline(const EstimateReport& report) {
 json toJson(const EstimateReport& report) {
   json findings = json::array();
   for (const auto& f : report.findings) findings.push_back(jsonOf(f));
-  json out = {
-      {"schema", "heft.estimate/1"},
-      {"method", toString(report.method)},
-      {"parameters", toString(report.parameters)},
-      {"recording",
-       {{"file", report.file},
-        {"samples", report.samples},
-        {"rate_hz", report.rateHz},
-        {"duration_s", report.duration},
-        {"used_s", report.usedDuration}}},
-      {"sensor_mount",
-       {{"parent", report.mount.parent}, {"xyz_m", jsonOf(report.mount.xyz)}, {"rpy_rad", jsonOf(report.mount.rpy)}}},
-      {"payload", toJson(report.payload)},
-      {"std", toJson(report.std)},
-      {"interval95", jsonOf(report.interval95)},
-      {"bias", {{"force_n", jsonOf(report.forceBias)}, {"torque_nm", jsonOf(report.torqueBias)}}},
-      {"physically_consistent", report.physicallyConsistent},
-      {"trust", toString(report.trust)},
-      {"conventions", conventions::toJson(report.conventions, report.mount, report.motionFromJoints)},
-      {"identifiability", jsonOf(report.identifiability)},
-      {"evidence", jsonOf(report.evidence)},
-      {"residual",
-       {{"force_rms_n", report.forceRms},
-        {"torque_rms_nm", report.torqueRms},
-        {"heldout_force_rms_n", report.heldoutForceRms},
-        {"heldout_torque_rms_nm", report.heldoutTorqueRms},
-        {"heldout_share", {{"force", report.unseenForceShare}, {"torque", report.unseenTorqueShare}}}}},
-      {"segments", toJson(report.segments)},
-      {"timing_s",
-       {{"read", report.timing.read},
-        {"prepare", report.timing.prepare},
-        {"solve", report.timing.solve},
-        {"total", report.timing.total}}},
-      {"termination",
-       {{"usable", report.termination.usable},
-        {"why", report.termination.why},
-        {"iterations", report.termination.iterations}}},
-      {"findings", findings}};
+  json out = {{"schema", "heft.estimate/1"},
+              {"method", toString(report.method)},
+              {"parameters", toString(report.parameters)},
+              {"recording",
+               {{"file", report.file},
+                {"samples", report.samples},
+                {"rate_hz", report.rateHz},
+                {"duration_s", report.duration},
+                {"used_s", report.usedDuration}}},
+              {"sensor_mount", toJson(report.mount)},
+              {"payload", toJson(report.payload)},
+              {"std", toJson(report.std)},
+              {"interval95", jsonOf(report.interval95)},
+              {"bias", {{"force_n", jsonOf(report.forceBias)}, {"torque_nm", jsonOf(report.torqueBias)}}},
+              {"physically_consistent", report.physicallyConsistent},
+              {"trust", toString(report.trust)},
+              {"conventions", conventions::toJson(report.conventions, report.mount, report.motionFromJoints)},
+              {"identifiability", jsonOf(report.identifiability)},
+              {"evidence", jsonOf(report.evidence)},
+              {"residual",
+               {{"force_rms_n", report.forceRms},
+                {"torque_rms_nm", report.torqueRms},
+                {"heldout_force_rms_n", report.heldoutForceRms},
+                {"heldout_torque_rms_nm", report.heldoutTorqueRms},
+                {"heldout_share", {{"force", report.unseenForceShare}, {"torque", report.unseenTorqueShare}}}}},
+              {"segments", toJson(report.segments)},
+              {"timing_s",
+               {{"read", report.timing.read},
+                {"prepare", report.timing.prepare},
+                {"solve", report.timing.solve},
+                {"total", report.timing.total}}},
+              {"termination",
+               {{"usable", report.termination.usable},
+                {"why", report.termination.why},
+                {"iterations", report.termination.iterations}}},
+              {"findings", findings}};
   out["conventions"]["used"] = report.readAsSuggested ? "suggested" : "as-stated";
   out["identifiability"]["best_std"] = jsonOf(report.evidence.best);
   if (report.relativeError) {

@@ -18,4 +18,9 @@ Result<nlohmann::json> mergedMeta(const std::filesystem::path& file, const nlohm
   return merged;
 }
 
+nlohmann::json toJson(const SensorMount& mount) {
+  const auto list = [](const Vector3d& v) { return nlohmann::json{v.x(), v.y(), v.z()}; };
+  return {{"parent", mount.parent}, {"xyz_m", list(mount.xyz)}, {"rpy_rad", list(mount.rpy)}};
+}
+
 }  // namespace heft

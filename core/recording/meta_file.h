@@ -15,4 +15,7 @@ Result<nlohmann::json> mergedMeta(const std::filesystem::path& file, const nlohm
 /// What writeMeta() writes to `file`; an error where a text in it is no UTF-8.
 Result<std::string> metaText(const RecordingMeta& meta, const std::filesystem::path& file);
 
+/// {"parent", "xyz_m", "rpy_rad"}
+nlohmann::json toJson(const SensorMount& mount);
+
 }  // namespace heft

@@ -13,6 +13,7 @@
 #include "core/exporters/flange.h"
 #include "core/exporters/writing.h"
 #include "core/payload/inertial_parameters.h"
+#include "core/recording/meta_file.h"
 #include "core/twin/found.h"
 
 namespace heft {
@@ -288,22 +289,20 @@ std::string asJson(const Rig& rig, const std::string& name, const json& found) {
   const auto wrench = [](const Vector6d& w) {
     return json{{"force_n", listOf(w.head<3>())}, {"torque_nm", listOf(w.tail<3>())}};
   };
-  const json out{
-      {"schema", "heft.model/1"},
-      {"name", name},
-      {"provenance", rig.remarks},
-      {"payload", toJson(rig.payload)},
-      {"sensor_mount",
-       {{"parent", linkName(rig.mount)}, {"xyz_m", listOf(rig.mount.xyz)}, {"rpy_rad", listOf(rig.mount.rpy)}}},
-      {"sensor_as_found",
-       {{"xyz_m", listOf(rig.X_ST.translation())}, {"rpy_rad", listOf(rpyFromRotation(rig.X_ST.linear()))}}},
-      {"gravity_m_s2", listOf(rig.gravity)},
-      {"zero", wrench(rig.bias)},
-      {"noise_std", wrench(rig.noise)},
-      {"delay_s", rig.delay},
-      {"time_constant_s", rig.lag},
-      {"causes", causes},
-      {"terms", terms}};
+  const json out{{"schema", "heft.model/1"},
+                 {"name", name},
+                 {"provenance", rig.remarks},
+                 {"payload", toJson(rig.payload)},
+                 {"sensor_mount", toJson(SensorMount{linkName(rig.mount), rig.mount.xyz, rig.mount.rpy})},
+                 {"sensor_as_found",
+                  {{"xyz_m", listOf(rig.X_ST.translation())}, {"rpy_rad", listOf(rpyFromRotation(rig.X_ST.linear()))}}},
+                 {"gravity_m_s2", listOf(rig.gravity)},
+                 {"zero", wrench(rig.bias)},
+                 {"noise_std", wrench(rig.noise)},
+                 {"delay_s", rig.delay},
+                 {"time_constant_s", rig.lag},
+                 {"causes", causes},
+                 {"terms", terms}};
   return out.dump(2) + "\n";
 }
 

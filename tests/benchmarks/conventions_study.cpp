@@ -71,15 +71,6 @@ std::string kinds(const std::vector<conventions::Change>& changes) {
   return out;
 }
 
-/// Standard deviation of the centre along the axis known worst [m].
-double centreStdOf(const conventions::Report& r) {
-  Eigen::Matrix<double, 3, 10> J = Eigen::Matrix<double, 3, 10>::Zero();
-  J.col(0) = -r.payload.com / r.payload.mass;
-  J.block<3, 3>(0, 1) = Matrix3d::Identity() / r.payload.mass;
-  const Matrix3d C = J * r.covariance * J.transpose();
-  return std::sqrt(std::max(0.0, C.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff()));
-}
-
 std::string outcome(const conventions::Report& report, const Payload& truth, const std::string& column = {}) {
   // A gain of 8 % and a tilt of 2 degrees remain, for the diagnosis to find.
   const bool caused = column == "caused";
@@ -91,7 +82,8 @@ std::string outcome(const conventions::Report& report, const Payload& truth, con
     constexpr double kSure = 3.0;  // Standard deviations
     const double mass = kSure * std::sqrt(std::max(0.0, report.covariance(0, 0))) / truth.mass;
     return right(found, truth) ||
-           isRight(found, truth, std::max(0.02, mass), std::max(0.002, kSure * centreStdOf(report)));
+           isRight(found, truth, std::max(0.02, mass),
+                   std::max(0.002, kSure * conventions::centreStd(report.payload, report.covariance)));
   };
   switch (report.verdict) {
     case Verdict::asStated:
@@ -151,8 +143,8 @@ void describe(const std::string& what, const conventions::Report& r) {
       "{:.0f} {:.0f} mm (std {:.1f}), turn to {:.1f} deg, {} ties{}\n",
       what, toString(r.verdict), r.suggested ? kinds(changes(r.stated, *r.suggested)) : "", r.overStated, r.evidence,
       r.misfit.force, r.misfit.torque, r.statedMisfit.force, r.statedMisfit.torque, r.payload.mass,
-      1e3 * r.payload.com.x(), 1e3 * r.payload.com.y(), 1e3 * r.payload.com.z(), 1e3 * centreStdOf(r),
-      r.turnStd * 180.0 / 3.14159265358979, r.ties.size(),
+      1e3 * r.payload.com.x(), 1e3 * r.payload.com.y(), 1e3 * r.payload.com.z(),
+      1e3 * conventions::centreStd(r.payload, r.covariance), r.turnStd * 180.0 / 3.14159265358979, r.ties.size(),
       r.ties.empty() ? "" : " first " + kinds(r.ties.front().changes));
 }
 

@@ -1,11 +1,11 @@
 #include "ui/models/result_text.h"
 
-#include <Eigen/Eigenvalues>
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/doubts.h"
+#include "core/math/linear_algebra.h"
 #include "ui/models/numbers.h"
 #include "ui/models/units.h"
 
@@ -160,16 +160,16 @@ Vector6d channelRms(const EstimateReport& r) {
 /// Principal moments about the centre of mass, each with its axis in S; nothing where the inertia is not known.
 void addPrincipalAxes(const EstimateReport& r, std::vector<DetailText>& rows) {
   if (!r.payload.inertiaCom.allFinite() || r.payload.inertiaCom.isZero()) return;
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(r.payload.inertiaCom);
+  const SymmetricEigen principal = symmetricEigen(r.payload.inertiaCom);
   QStringList lines;
   for (int k = 2; k >= 0; --k) {
-    const Vector3d axis = solver.eigenvectors().col(k);
+    const Vector3d axis = principal.vectors.col(k);
     // One of the two directions, so that it does not flip from one estimate to the next.
     Eigen::Index largest = 0;
     axis.cwiseAbs().maxCoeff(&largest);
     const Vector3d shown = axis(largest) < 0 ? Vector3d(-axis) : axis;
     lines << ResultWords::tr("%1 kg cm² about (%2, %3, %4)")
-                 .arg(numberText(1e4 * solver.eigenvalues()(k), 2), numberText(shown.x(), 2), numberText(shown.y(), 2),
+                 .arg(numberText(1e4 * principal.values(k), 2), numberText(shown.x(), 2), numberText(shown.y(), 2),
                       numberText(shown.z(), 2));
   }
   rows.push_back({ResultWords::tr("Principal moments"), lines.join('\n'),

@@ -12,6 +12,7 @@
 #include "core/diagnosis/correction/corrected.h"
 #include "core/diagnosis/correction/model_json.h"
 #include "core/diagnosis/wording/words.h"
+#include "core/recording/meta_file.h"
 
 namespace heft {
 
@@ -81,41 +82,38 @@ nlohmann::json toJson(const DiagnosisReport& report) {
     findings.push_back(f);
   }
   const Vector10d moved = payloadShift(report);
-  json out = {{"schema", "heft.diagnose/1"},
-              {"file", report.file},
-              {"verdict", toString(report.verdict)},
-              {"text", report.sentence},
-              {"baseline",
-               {{"force_rms_n", report.baseline.force},
-                {"torque_rms_nm", report.baseline.torque},
-                {"noise_force_rms_n", report.noise.force},
-                {"noise_torque_rms_nm", report.noise.torque}}},
-              {"causes", causes},
-              {"remaining",
-               {{"goes_with", report.remaining.goesWith.english()},
-                {"delta_bic", number(report.remaining.gain)},
-                {"share", report.remaining.share}}},
-              {"threshold", report.threshold},
-              {"surrogates", report.surrogates},
-              {"payload_before", payloadJson(report.before)},
-              {"payload_after", payloadJson(report.after)},
-              {"payload_shift_sigmas",
-               {{"mass", moved(0)},
-                {"com", {moved(1), moved(2), moved(3)}},
-                {"inertia", {moved(4), moved(5), moved(6), moved(7), moved(8), moved(9)}}}},
-              {"smallest_visible", smallest},
-              {"meta_changes", report.metaChanges()},
-              {"sensor_mount",
-               {{"parent", report.meta.mount.parent},
-                {"xyz_m", listOf(report.meta.mount.xyz)},
-                {"rpy_rad", listOf(report.meta.mount.rpy)}}},
-              {"gravity_m_s2", listOf(report.meta.gravity)},
-              {"sensor_noise",
-               {{"force_n", listOf(report.after.noiseStd.head<3>())},
-                {"torque_nm", listOf(report.after.noiseStd.tail<3>())}}},
-              {"model", modelToJson(report.model)},
-              {"timing_s", {{"total", report.seconds}}},
-              {"findings", findings}};
+  json out = {
+      {"schema", "heft.diagnose/1"},
+      {"file", report.file},
+      {"verdict", toString(report.verdict)},
+      {"text", report.sentence},
+      {"baseline",
+       {{"force_rms_n", report.baseline.force},
+        {"torque_rms_nm", report.baseline.torque},
+        {"noise_force_rms_n", report.noise.force},
+        {"noise_torque_rms_nm", report.noise.torque}}},
+      {"causes", causes},
+      {"remaining",
+       {{"goes_with", report.remaining.goesWith.english()},
+        {"delta_bic", number(report.remaining.gain)},
+        {"share", report.remaining.share}}},
+      {"threshold", report.threshold},
+      {"surrogates", report.surrogates},
+      {"payload_before", payloadJson(report.before)},
+      {"payload_after", payloadJson(report.after)},
+      {"payload_shift_sigmas",
+       {{"mass", moved(0)},
+        {"com", {moved(1), moved(2), moved(3)}},
+        {"inertia", {moved(4), moved(5), moved(6), moved(7), moved(8), moved(9)}}}},
+      {"smallest_visible", smallest},
+      {"meta_changes", report.metaChanges()},
+      {"sensor_mount", toJson(report.meta.mount)},
+      {"gravity_m_s2", listOf(report.meta.gravity)},
+      {"sensor_noise",
+       {{"force_n", listOf(report.after.noiseStd.head<3>())}, {"torque_nm", listOf(report.after.noiseStd.tail<3>())}}},
+      {"model", modelToJson(report.model)},
+      {"timing_s", {{"total", report.seconds}}},
+      {"findings", findings}};
   if (report.mistake) out["frame_mistake"] = mistakeToJson(*report.mistake, report.meta, !report.ofPoses);
   if (report.check)
     out["check"] = {{"file", report.check->file},
@@ -141,9 +139,10 @@ std::string unknownText(const DiagnosisReport& report) {
   if (report.verdict != Verdict::unexplained) return {};
   const std::string related = report.remaining.goesWith.words();
   return report.remaining.share > 0.0
-             ? heft::say("{:.1f} % of the remaining difference is related to {}; no cause in the catalogue accounts for "
-                         "it.",
-                         100.0 * report.remaining.share, related)
+             ? heft::say(
+                   "{:.1f} % of the remaining difference is related to {}; no cause in the catalogue accounts for "
+                   "it.",
+                   100.0 * report.remaining.share, related)
              : heft::say("The remaining difference is related to {}; no cause in the catalogue accounts for it.",
                          related);
 }
