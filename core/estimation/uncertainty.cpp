@@ -91,6 +91,107 @@ Triangle lessSure(const Triangle& R, const Matrix10d& more) {
   return builder.finish();
 }
 
+namespace {
+
+struct WeightedV {
+  Vector10d v;
+  double weight = 1.0;
+};
+
+/// Importance sampling: draws of the normal distribution N(mode, L L^T), weighted by the posterior. Nothing where the
+/// weights leave too few effective draws (Kish 1965) to read 95 % intervals from: the posterior is not shaped like it.
+std::vector<WeightedV> importanceSample(const MapCost& cost, const Vector10d& mode, const Matrix10d& L,
+                                        std::size_t stride) {
+  constexpr double kFewestEffective = 400.0;  // The ends of a 95 % interval are then sure to 7 % of it (one sd)
+  const double best = cost(mode);
+  std::vector<WeightedV> sample;
+  sample.reserve(2 * kPairs);
+  for (std::size_t k = 0; k < draws().size(); ++k)
+    for (const double sign : {1.0, -1.0}) {
+      const Vector10d& z = draws()[k];
+      const Vector10d v = mode + sign * (L * z);
+      sample.push_back({v, 0.5 * (z.squaredNorm() - (cost(v) - best))});
+    }
+  // A few draws far out in the tail must not carry everything: weights are cut at twenty times their mean.
+  const double top = std::ranges::max(sample, {}, &WeightedV::weight).weight;
+  double sum = 0.0, squares = 0.0;
+  for (auto& draw : sample) {
+    draw.weight = std::exp(draw.weight - top);
+    sum += draw.weight;
+    squares += draw.weight * draw.weight;
+  }
+  if (sum * sum < kFewestEffective * squares) return {};
+  const double largest = 20.0 * sum / static_cast<double>(sample.size());
+  for (auto& draw : sample) draw.weight = std::min(draw.weight, largest);
+  // Every stride-th pair where each draw is dear to work out
+  std::vector<WeightedV> out;
+  for (std::size_t k = 0; k < sample.size(); k += 2 * stride) out.insert(out.end(), {sample[k], sample[k + 1]});
+  return out;
+}
+
+/// Random-walk Metropolis whose steps are learned from its own first walk (Haario, Saksman and Tamminen 2001): for
+/// posteriors that no normal distribution resembles, such as those of a second's motion beside the edge of what a body
+/// can be. Deterministic.
+std::vector<WeightedV> walkedSample(const MapCost& cost, const Vector10d& mode, const Matrix10d& L, std::size_t count) {
+  constexpr int kLearning = 20000, kWalk = 60000;
+  constexpr double kSteps[] = {0.1, 0.3, 0.75};  // Times the spread; 2.4 / sqrt(10) is best for a normal one
+  std::mt19937_64 random(42);
+  const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1.0p-53; };
+  Vector10d v = mode;
+  double here = cost(v);
+  const auto walk = [&](const Matrix10d& spread, int steps, const auto& visit) {
+    for (int k = 0; k < steps; ++k) {
+      const Vector10d& z = draws()[random() % draws().size()];
+      const double size = kSteps[k % 3] * (random() % 2 ? 1.0 : -1.0);
+      const Vector10d next = v + size * (spread * z);
+      const double there = cost(next);
+      if (2.0 * std::log(uniform()) < here - there) {
+        v = next;
+        here = there;
+      }
+      visit(k);
+    }
+  };
+  Vector10d sum = Vector10d::Zero();
+  Matrix10d squares = Matrix10d::Zero();
+  walk(L, kLearning, [&](int) {
+    sum += v - mode;
+    squares += (v - mode) * (v - mode).transpose();
+  });
+  sum /= kLearning;
+  const Matrix10d learned = squares / kLearning - sum * sum.transpose();
+  const int every = kWalk / static_cast<int>(count);
+  std::vector<WeightedV> out;
+  walk(choleskyFactor(learned + 1e-6 * L * L.transpose()), kWalk, [&](int k) {
+    if (k % every == 0) out.push_back({v});
+  });
+  return out;
+}
+
+/// That bodies end where a moment of inertia would be negative narrows the inertia rightly, and mass and centre with it
+/// only where the inertia is right: theirs are no narrower than what the readings and the prior tell as normal
+/// distributions of phi, the prior about its own mean.
+void widenToData(std::array<Interval, 10>& intervals, const Triangle& R, const MapPrior& prior, bool bias,
+                 const Vector10d& phi) {
+  const Matrix10d byPhi = inverse(parametersJacobian(prior, prior.mean));
+  const int first = bias ? kBiasColumns : 0;
+  const MatrixXd A = R.block(first, kBiasColumns, kColumns + 1 - first, 10);
+  const Matrix10d information =
+      transposedProduct(A, A) + byPhi.transpose() * prior.normalInformation(prior.mean) * byPhi;
+  const Vector10d variance = congruence(componentsJacobian(phi), inverse(information)).diagonal();
+  const Vector10d value = componentsOf(fromParameters(phi));
+  constexpr std::size_t kMassAndCentre = 4;
+  for (std::size_t i = 0; i < kMassAndCentre; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    const double half = kNormal95 * std::sqrt(std::max(0.0, variance(k)));
+    const double lowest = i == 0 ? value(k) * std::exp(-half / value(k)) : value(k) - half;  // A mass is positive
+    intervals[i].lower = std::min(intervals[i].lower, lowest);
+    intervals[i].upper = std::max(intervals[i].upper, value(k) + half);
+  }
+}
+
+}  // namespace
+
 PayloadInterval intervalsFromV(const Triangle& R, const MapPrior& prior, bool bias, const MapSolution& solution,
                                const std::function<Vector10d(const Vector10d&)>& bound) {
   const MapCost cost(R, prior, bias);
@@ -98,31 +199,22 @@ PayloadInterval intervalsFromV(const Triangle& R, const MapPrior& prior, bool bi
   // nearly flat far below its mean, and draws by its curvature there would miss everything else.
   const Matrix10d information = solution.dataInformation + prior.normalInformation(solution.v);
   const Matrix10d L = choleskyFactor(inverse(information));
-  const double best = cost(solution.v);
+  // Moving a draw to a bound costs a small optimisation: a quarter of them must do.
+  const std::size_t stride = bound ? 4 : 1;
+  std::vector<WeightedV> drawn = importanceSample(cost, solution.v, L, stride);
+  if (drawn.empty()) drawn = walkedSample(cost, solution.v, L, 2 * kPairs / stride);
   struct Draw {
     Vector10d components;
     double weight;
   };
   std::vector<Draw> sample;
-  sample.reserve(2 * kPairs);
-  std::vector<double> excess;
-  // Moving a draw to a bound costs a small optimisation: a quarter of them must do.
-  const std::size_t stride = bound ? 4 : 1;
-  for (std::size_t k = 0; k < draws().size(); k += stride)
-    for (const double sign : {1.0, -1.0}) {
-      const Vector10d& z = draws()[k];
-      const Vector10d v = solution.v + sign * (L * z);
-      const Vector10d phi = parametersFromV(prior, v);
-      sample.push_back({componentsOf(fromParameters(bound ? bound(phi) : phi)), 0.0});
-      excess.push_back(0.5 * (z.squaredNorm() - (cost(v) - best)));
-    }
-  // A few draws far out in the tail must not carry everything: weights are cut at twenty times their mean.
-  const double top = *std::max_element(excess.begin(), excess.end());
+  sample.reserve(drawn.size());
   double sum = 0.0;
-  for (std::size_t i = 0; i < sample.size(); ++i) sum += sample[i].weight = std::exp(excess[i] - top);
-  const double largest = 20.0 * sum / static_cast<double>(sample.size());
-  sum = 0.0;
-  for (auto& draw : sample) sum += draw.weight = std::min(draw.weight, largest);
+  for (const auto& [v, weight] : drawn) {
+    const Vector10d phi = parametersFromV(prior, v);
+    sample.push_back({componentsOf(fromParameters(bound ? bound(phi) : phi)), weight});
+    sum += weight;
+  }
 
   std::array<Interval, 10> intervals;
   std::vector<std::pair<double, double>> ordered(sample.size());
@@ -145,6 +237,7 @@ PayloadInterval intervalsFromV(const Triangle& R, const MapPrior& prior, bool bi
       }
     }
   }
+  widenToData(intervals, R, prior, bias, solution.phi);
   return fromArrays(intervals);
 }
 

@@ -2,6 +2,8 @@
 // expects what its README calls right.
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "tests/cases/cases.h"
 
 namespace heft::test {
@@ -100,6 +102,16 @@ TEST_F(FileCases, BagsOfRos2) {
   if (!enter("17-db3-bags")) GTEST_SKIP() << kAbsent;
   for (const char* const name : {"killed", "killed/killed_0.db3", "renamed", "reindexed", "split"})
     expectTruth({name, "--meta", "bag.meta.json"}, 0.005, 1.0);
+  // One second of it tells little, and the intervals say so.
+  const json part = expectTruth({"split/split_1.db3", "--meta", "bag.meta.json"}, 0.02, 6.0);
+  const json& intervals = part["interval95"];
+  const json truth = json::parse(std::ifstream(path("17-db3-bags/truth.json")));
+  EXPECT_LT(intervals["mass_kg"][0], truth["mass_kg"]);
+  EXPECT_GT(intervals["mass_kg"][1], truth["mass_kg"]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_LT(intervals["com_m"][axis][0], truth["com_m"][axis]);
+    EXPECT_GT(intervals["com_m"][axis][1], truth["com_m"][axis]);
+  }
 }
 
 TEST_F(FileCases, AnMcapWhoseRecorderWasKilled) {

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "core/estimation/uncertainty.h"
 #include "tests/support/random_payload.h"
@@ -185,6 +188,58 @@ TEST(Uncertainty, NarrowDistributionsAgreeWithLinearPropagation) {
   const auto& b = linear.inertiaCom[1][2];
   EXPECT_NEAR(a.upper - a.lower, b.upper - b.lower, 0.06 * (b.upper - b.lower));
   EXPECT_NEAR(componentsOf(payloadFromComponents(Vector10d::LinSpaced(1, 10)))(7), 8.0, 1e-15);
+}
+
+/// A second's motion, noisy enough that what the readings alone say is no body that can exist.
+Triangle besideTheEdge(std::mt19937& random) {
+  for (;;) {
+    const Triangle R = randomTriangle(random, test::randomPayload(random), 3.0, 2.0);
+    if (!checkPhysical(fromParameters(plainFit(R, true).phi)).physical) return R;
+  }
+}
+
+// Beside the edge of what can exist the posterior is no normal distribution, and few draws of one hit it: the intervals
+// of the inertia are those of a long walk all the same.
+TEST(Uncertainty, IntervalsBesideTheEdgeAreThoseOfALongWalk) {
+  std::mt19937 random(31);
+  for (int i = 0; i < 3; ++i) {
+    const Triangle R = besideTheEdge(random);
+    const PlainFit plain = plainFit(R, true);
+    const MapPrior prior = vaguePrior(0.8, {0.01, 0.0, 0.06});
+    const MapSolution map = solveMap(R, prior, true, Vector10d::Zero());
+    const PayloadInterval intervals = intervalsFromV(R, prior, true, map);
+
+    const MapCost cost(R, prior, true);
+    const Matrix10d L = map.covariance.llt().matrixL();
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> uniform;
+    std::array<std::vector<double>, 10> walked;
+    Vector10d v = map.v;
+    double here = cost(v);
+    for (int k = 0; k < 300000; ++k) {
+      Vector10d z;
+      for (int j = 0; j < 10; ++j) z(j) = normal(random);
+      const Vector10d next = v + (k % 2 ? 0.6 : 0.15) * (L * z);
+      const double there = cost(next);
+      if (2.0 * std::log(uniform(random)) < here - there) v = next, here = there;
+      if (k < 30000 || k % 20) continue;
+      const Vector10d x = componentsOf(fromParameters(parametersFromV(prior, v)));
+      for (std::size_t j = 0; j < 10; ++j) walked[j].push_back(x(static_cast<Eigen::Index>(j)));
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      auto& x = walked[axis == 0 ? 4 : axis == 1 ? 7 : 9];
+      std::ranges::sort(x);
+      const double lower = x[x.size() / 40], upper = x[x.size() - 1 - x.size() / 40];
+      EXPECT_NEAR(intervals.inertiaCom[axis][axis].lower, lower, 0.15 * (upper - lower));
+      EXPECT_NEAR(intervals.inertiaCom[axis][axis].upper, upper, 0.15 * (upper - lower));
+    }
+    // Mass and centre are not believed to be surer than the readings make them.
+    const Vector10d alone =
+        (componentsJacobian(map.phi) * plain.covariance * componentsJacobian(map.phi).transpose()).diagonal();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      EXPECT_GT(intervals.com[axis].upper - intervals.com[axis].lower,
+                0.9 * 2.0 * 1.96 * std::sqrt(alone(static_cast<Eigen::Index>(axis) + 1)));
+  }
 }
 
 // What was found in the same readings and is not sure widens phi's covariance by as much, and moves nothing.
