@@ -107,26 +107,24 @@ NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std
   Matrix6d covariance = Matrix6d::Zero();
   double count = 0.0;
   for (const auto& run : runs) {
-    for (Eigen::Index k = run.from + noise.order; k < run.to; ++k) {
-      Vector6d e;
-      for (int c = 0; c < 6; ++c)
-        e(c) = predictionError(noise.channels[static_cast<std::size_t>(c)], k,
-                               [&](Eigen::Index j) { return residual(c, j); }) *
-               weights(c, k);
-      covariance += e * e.transpose();
-      if (taken) {
-        Eigen::Matrix<double, 6, kColumns> part;
-        for (int c = 0; c < 6; ++c) {
-          const MatrixXd& z = (*taken)[static_cast<std::size_t>(c)];
-          const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
-          part.row(c) = z.row(k);
-          for (int i = 0; i < model.order(); ++i) part.row(c) -= model.coefficients(i) * z.row(k - 1 - i);
-          part.row(c) *= weights(c, k);
-        }
-        covariance += part * part.transpose();
+    const Eigen::Index n = run.to - run.from - noise.order;
+    if (n <= 0) continue;
+    Eigen::Matrix<double, Eigen::Dynamic, 6> errors(n, 6);  // Innovations, one channel a column
+    const auto addInnovations = [&](const auto& signalOf) {
+      for (int c = 0; c < 6; ++c) {
+        const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
+        const auto signal = signalOf(c);
+        errors.col(c) = signal.segment(run.from + noise.order, n);
+        for (int i = 0; i < model.order(); ++i)
+          errors.col(c) -= model.coefficients(i) * signal.segment(run.from + noise.order - 1 - i, n);
+        errors.col(c).array() *= weights.row(c).segment(run.from + noise.order, n).transpose().array();
       }
-      count += 1.0;
-    }
+      covariance.noalias() += errors.transpose() * errors;
+    };
+    addInnovations([&](int c) { return residual.row(c).transpose(); });
+    for (Eigen::Index i = 0; taken && i < kColumns; ++i)
+      addInnovations([&](int c) { return (*taken)[static_cast<std::size_t>(c)].col(i); });
+    count += static_cast<double>(n);
   }
   covariance *= freedom / std::max(1.0, count);
   // Correlations need many samples; with few the channels are taken as independent.
@@ -212,20 +210,51 @@ Wrenches innovations(const NoiseModel& noise, const Wrenches& residual, const st
   return out;
 }
 
-std::vector<WhiteRows> whitenedRows(const WrenchRows& rows, const NoiseModel& noise, const Wrenches& weights,
-                                    const Run& run) {
-  std::vector<WhiteRows> blocks, out;
-  for (Eigen::Index k = run.from; k < run.to; ++k) blocks.push_back(blockRows(rows, k));
-  WhiteRows E;
-  for (Eigen::Index k = noise.order; k < run.to - run.from; ++k) {
-    for (int c = 0; c < 6; ++c) {
-      const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
-      E.row(c) = blocks[static_cast<std::size_t>(k)].row(c);
-      for (int i = 0; i < model.order(); ++i)
-        E.row(c) -= model.coefficients(i) * blocks[static_cast<std::size_t>(k - 1 - i)].row(c);
-    }
-    out.push_back(weights.col(run.from + k).cwiseSqrt().asDiagonal() * (noise.whitener * E));
+namespace {
+
+/// Coefficients of the six channels, one vector a lag: what a filter of blocks multiplies with.
+std::vector<Vector6d> lagsOf(const NoiseModel& noise) {
+  std::vector<Vector6d> lags(static_cast<std::size_t>(noise.order), Vector6d::Zero());
+  for (int c = 0; c < 6; ++c) {
+    const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
+    for (int i = 0; i < model.order(); ++i) lags[static_cast<std::size_t>(i)](c) = model.coefficients(i);
   }
+  return lags;
+}
+
+}  // namespace
+
+RowWhitener::RowWhitener(const NoiseModel& noise)
+    : lags_(lagsOf(noise)), atRest_(Vector6d::Ones()), whitener_(noise.whitener) {
+  for (const auto& lag : lags_) atRest_ -= lag;
+  whiteBias_ = whitener_ * atRest_.asDiagonal();
+}
+
+Regressor RowWhitener::filtered(const WrenchRows& rows, Eigen::Index k) const {
+  Regressor out = rows.Y[static_cast<std::size_t>(k)];
+  for (std::size_t i = 0; i < lags_.size(); ++i)
+    out.noalias() -= lags_[i].asDiagonal() * rows.Y[static_cast<std::size_t>(k) - 1 - i];
+  return out;
+}
+
+Eigen::Matrix<double, 6, kColumns> RowWhitener::innovations(const WrenchRows& rows, Eigen::Index k) const {
+  Eigen::Matrix<double, 6, kColumns> out;
+  out.leftCols<6>() = atRest_.asDiagonal();
+  out.rightCols<10>() = filtered(rows, k);
+  return out;
+}
+
+WhiteRows RowWhitener::white(const WrenchRows& rows, Eigen::Index k, const Vector6d& weights) const {
+  Vector6d y = rows.wrench.col(k);
+  for (std::size_t i = 0; i < lags_.size(); ++i)
+    y -= lags_[i].cwiseProduct(rows.wrench.col(k - 1 - static_cast<Eigen::Index>(i)));
+  const Vector6d root = weights.cwiseSqrt();
+  const Matrix6d whitener = root.asDiagonal() * whitener_;
+  const Regressor Y = filtered(rows, k);
+  WhiteRows out;
+  out.leftCols<6>() = root.asDiagonal() * whiteBias_;
+  out.middleCols<10>(6) = whitener.lazyProduct(Y);
+  out.col(kColumns) = whitener * y;
   return out;
 }
 
@@ -234,14 +263,13 @@ std::vector<Triangle> whitenedTriangles(const WrenchRows& rows, const NoiseModel
   Eigen::Index total = 0;
   for (const auto& run : runs) total += std::max<Eigen::Index>(0, run.to - run.from - noise.order);
   std::vector<TriangleBuilder> builders(static_cast<std::size_t>(folds));
+  const RowWhitener whitener(noise);
   Eigen::Index seen = 0;
   for (const auto& run : runs)
-    for (const WhiteRows& white : whitenedRows(rows, noise, weights, run)) {
-      auto& builder = builders[static_cast<std::size_t>(
-          std::min<Eigen::Index>(folds - 1, seen * folds / std::max<Eigen::Index>(1, total)))];
-      builder.add(white);
-      ++seen;
-    }
+    for (Eigen::Index k = run.from + noise.order; k < run.to; ++k, ++seen)
+      builders[static_cast<std::size_t>(
+                   std::min<Eigen::Index>(folds - 1, seen * folds / std::max<Eigen::Index>(1, total)))]
+          .add(whitener.white(rows, k, weights.col(k)));
   std::vector<Triangle> triangles;
   for (auto& builder : builders) triangles.push_back(builder.finish());
   return triangles;
@@ -271,46 +299,43 @@ Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const N
   const Triangle plain = merged(whitenedTriangles(rows, weighting, weights, runs, 1));
   // With z = Wt Fb F^-1 L u (u white; F, Fb the autoregressive filters of noise and weighting, Wt = L^-1 the whitener)
   // the scores are sum_k A_k^T w z_k, so their covariance is that of the rows sent backwards through the same filters.
+  using Six = Eigen::Matrix<double, 6, kColumns>;
   const Matrix6d L = inverse(noise.whitener);
+  const RowWhitener whitener(weighting);
+  const std::vector<Vector6d> used = lagsOf(weighting), found = lagsOf(noise);
+  const std::size_t lags = std::max(used.size(), found.size());
   Eigen::Matrix<double, kColumns, kColumns> M = Eigen::Matrix<double, kColumns, kColumns>::Zero();
+  Eigen::Matrix<double, Eigen::Dynamic, kColumns> chunk(120, kColumns);
+  Eigen::Index filled = 0;
+  const auto addUp = [&] {
+    M.noalias() += chunk.topRows(filled).transpose() * chunk.topRows(filled);
+    filled = 0;
+  };
+  std::vector<Six> later(lags), filteredLater(lags);  // The blocks after this one, the next first
   for (const auto& run : runs) {
-    const Eigen::Index n = run.to - run.from;
-    if (n <= weighting.order) continue;
-    std::array<MatrixXd, 6> B;
-    for (auto& channel : B) channel = MatrixXd::Zero(n, kColumns);
-    std::vector<Eigen::Matrix<double, 6, kColumns + 1>> blocks;
-    for (Eigen::Index k = run.from; k < run.to; ++k) blocks.push_back(blockRows(rows, k));
-    Eigen::Matrix<double, 6, kColumns> E;
-    for (Eigen::Index k = weighting.order; k < n; ++k) {
-      for (int c = 0; c < 6; ++c) {
-        const ArModel& model = weighting.channels[static_cast<std::size_t>(c)];
-        E.row(c) = blocks[static_cast<std::size_t>(k)].row(c).head<kColumns>();
-        for (int i = 0; i < model.order(); ++i)
-          E.row(c) -= model.coefficients(i) * blocks[static_cast<std::size_t>(k - 1 - i)].row(c).head<kColumns>();
+    if (run.to - run.from <= weighting.order) continue;
+    std::ranges::fill(later, Six::Zero());
+    std::ranges::fill(filteredLater, Six::Zero());
+    for (Eigen::Index k = run.to - 1; k >= run.from; --k) {
+      Six back = Six::Zero();
+      if (k >= run.from + weighting.order) {
+        const Matrix6d middle = weighting.whitener.transpose() * weights.col(k).asDiagonal() * weighting.whitener;
+        back = middle.lazyProduct(whitener.innovations(rows, k));
       }
-      const Eigen::Matrix<double, 6, kColumns> back =
-          weighting.whitener.transpose() * weights.col(run.from + k).asDiagonal() * weighting.whitener * E;
-      for (int c = 0; c < 6; ++c) B[static_cast<std::size_t>(c)].row(k) = back.row(c);
-    }
-    for (int c = 0; c < 6; ++c) {
-      const ArModel& found = noise.channels[static_cast<std::size_t>(c)];
-      const ArModel& used = weighting.channels[static_cast<std::size_t>(c)];
-      MatrixXd& G = B[static_cast<std::size_t>(c)];
-      MatrixXd X = G;
-      for (Eigen::Index k = 0; k < n; ++k)
-        for (int i = 0; i < used.order() && k + 1 + i < n; ++i) X.row(k) -= used.coefficients(i) * G.row(k + 1 + i);
-      for (Eigen::Index k = n - 1; k >= 0; --k) {
-        G.row(k) = X.row(k);
-        for (int i = 0; i < found.order() && k + 1 + i < n; ++i) G.row(k) += found.coefficients(i) * G.row(k + 1 + i);
+      Six G = back;
+      for (std::size_t i = 0; i < used.size(); ++i) G.noalias() -= used[i].asDiagonal() * later[i];
+      for (std::size_t i = 0; i < found.size(); ++i) G.noalias() += found[i].asDiagonal() * filteredLater[i];
+      if (lags > 0) {
+        std::rotate(later.begin(), later.end() - 1, later.end());
+        std::rotate(filteredLater.begin(), filteredLater.end() - 1, filteredLater.end());
+        later.front() = back;
+        filteredLater.front() = G;
       }
-    }
-    for (Eigen::Index k = 0; k < n; ++k) {
-      Eigen::Matrix<double, 6, kColumns> G;
-      for (int c = 0; c < 6; ++c) G.row(c) = B[static_cast<std::size_t>(c)].row(k);
-      const Eigen::Matrix<double, 6, kColumns> v = L.transpose() * G;
-      M.noalias() += v.transpose() * v;
+      chunk.middleRows<6>(filled) = L.transpose().lazyProduct(G);
+      if ((filled += 6) == chunk.rows()) addUp();
     }
   }
+  addUp();
   M.bottomRightCorner<10, 10>() += more;
   const Eigen::Matrix<double, kColumns, kColumns> A = plain.topLeftCorner<kColumns, kColumns>();
   const VectorXd scale = A.colwise().norm().transpose().cwiseMax(1e-12).cwiseInverse();

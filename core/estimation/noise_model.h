@@ -72,9 +72,24 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> innovations(const NoiseModel& noise,
 
 /// All six rows of a block as [bias | Y | y], white and weighted.
 using WhiteRows = Eigen::Matrix<double, 6, kColumns + 1>;
-/// Those of a run, from the first block whose past the noise model knows; nothing in shorter runs.
-std::vector<WhiteRows> whitenedRows(const WrenchRows& rows, const NoiseModel& noise,
-                                    const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const Run& run);
+
+/// The autoregressive filter of a noise model and its whitener, for rows [bias | Y | y]: the biases' columns are the
+/// identity in every block, so only the others are filtered.
+class RowWhitener {
+ public:
+  explicit RowWhitener(const NoiseModel& noise);
+  int order() const { return static_cast<int>(lags_.size()); }
+  /// Innovations of [bias | Y] at block k, not yet whitened; order() blocks of the same run lie before it.
+  Eigen::Matrix<double, 6, kColumns> innovations(const WrenchRows& rows, Eigen::Index k) const;
+  /// White rows of block k, each times the root of its weight.
+  WhiteRows white(const WrenchRows& rows, Eigen::Index k, const Vector6d& weights) const;
+
+ private:
+  Regressor filtered(const WrenchRows& rows, Eigen::Index k) const;
+  std::vector<Vector6d> lags_;  ///< Coefficients of the six channels, one vector a lag
+  Vector6d atRest_;             ///< What the filter leaves of a constant
+  Matrix6d whitener_, whiteBias_;
+};
 
 /// Whitened rows of the given runs as triangles, one for each of `folds` consecutive parts (for held-out checks); their
 /// merger is the whole problem. `weights` are those of the innovations (robust fit).
