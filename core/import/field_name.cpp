@@ -254,4 +254,12 @@ std::optional<double> unitSi(std::string_view unit, Quantity quantity) {
   return std::nullopt;
 }
 
+std::string transformOf(std::string_view field) {
+  constexpr std::string_view kBefore = "transforms[";
+  const auto open = field.find(kBefore);
+  const auto close = open == std::string_view::npos ? open : field.find(']', open);
+  if (close == std::string_view::npos) return {};
+  return std::string(field.substr(open + kBefore.size(), close - open - kBefore.size()));
+}
+
 }  // namespace heft

@@ -25,8 +25,14 @@ bool flatten(const json& node, const std::string& path, std::size_t depth, Named
   } else if (node.is_null()) {
     out.emplace_back(path, std::numeric_limits<double>::quiet_NaN());
   } else if (node.is_array()) {
-    for (std::size_t i = 0; i < node.size(); ++i)
-      if (!flatten(node[i], fmt::format("{}[{}]", path, i), depth + 1, out)) return false;
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      // Transforms come in any order; each is called after its child frame.
+      std::string label = std::to_string(i);
+      if (node[i].is_object())
+        if (const auto child = node[i].find("child_frame_id"); child != node[i].end() && child->is_string())
+          if (auto frame = printable(child->get<std::string>(), 100); !frame.empty()) label = std::move(frame);
+      if (!flatten(node[i], fmt::format("{}[{}]", path, label), depth + 1, out)) return false;
+    }
   } else if (node.is_object()) {
     const auto labels = node.find("name");
     const bool labelled = labels != node.end() && labels->is_array();
