@@ -202,6 +202,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   WhatRemains remains = whatRemains(hypothesis, readings->cleaned, by, structure);
   out.findings = std::move(remains.findings);
   sayOwnErrors(fitted.own, out);
+  sayAlignment(fitted.aligned, hypothesis.signals.clockAlignmentStd.value_or(0.0), out);
   addSeen(*readings, *found, fitted.causes, out);
   const std::optional<Structure> faint = addContacts(hypothesis, fitted.causes, remains.structure, out);
   std::ranges::move(fitted.causes, std::back_inserter(out.causes));
