@@ -85,6 +85,10 @@ std::vector<Smallest> smallestVisible(Hypothesis& hypothesis, const std::vector<
       const Parameter& p =
           signature.form.parameters[static_cast<std::size_t>(signature.form.scan[static_cast<std::size_t>(i)])];
       if (!p.saysHowMuch) continue;
+      // What passes for our own alignment of two clocks is not seen at all.
+      VectorXd parameters = signature.form.start;
+      parameters(signature.form.scan[static_cast<std::size_t>(i)]) = size(i);
+      if (signature.form.cause->mayBeAlignment(signature.form, parameters, hypothesis.signals)) continue;
       const double value = size(i) * std::abs(p.scale);
       const auto known = std::ranges::find_if(out, [&](const Smallest& s) { return s.cause == id; });
       if (known == out.end())

@@ -83,6 +83,7 @@ class StreamGuess {
       if (fields.size() == 9) add("rotation", fields, 0, kMatrixColumns, 9, why());
     addInertial(accelerations, rates);
     addOtherPoses();
+    addFrankaPose();
     for (const auto& [family, fields] : joints) addJoints("joints", "q", family, fields);
     for (const auto& [family, fields] : velocities) addJoints("velocities", "dq", family, fields);
     if (!jointNames.empty()) {
@@ -201,7 +202,39 @@ class StreamGuess {
     }
   }
 
-  /// Poses whose rotation is no quaternion: UR's rotation vector, KUKA's A, B, C, and roll, pitch, yaw.
+  /// The last two candidates, a place and its turn, where their names state no units.
+  void inMillimetresAndDegrees() {
+    for (std::size_t c = out_.size() - 2; c < out_.size(); ++c)
+      for (auto& column : out_[c].columns) {
+        if (!column.unitNamed)
+          column.scale = column.column.size() == 2 && column.column[0] == 'p' ? 0.001 : std::numbers::pi / 180.0;
+        column.unitNamed = true;
+      }
+  }
+
+  /// Libfranka's pose of its end effector, O_T_EE[0] to O_T_EE[15]: a matrix of 4 x 4, one column after the other.
+  void addFrankaPose() {
+    Family elements;
+    for (std::size_t f = 0; f < names_.size(); ++f) {
+      const Words& words = names_[f].words;
+      const auto n = words.size();
+      if (n < 4 || words[n - 4] != "o" || words[n - 3] != "t" || words[n - 2] != "ee" || !isDigits(words[n - 1]))
+        continue;
+      if (words[n - 1].size() <= 2) elements.try_emplace(std::stoi(words[n - 1]), f);
+    }
+    if (elements.size() != 16 || elements.rbegin()->first != 15) return;
+    Family place, turn;
+    for (int row = 0; row < 3; ++row) {
+      place[row] = elements.at(12 + row);
+      for (int column = 0; column < 3; ++column) turn[3 * row + column] = elements.at(4 * column + row);
+    }
+    const std::string reason = heft::say("libfranka's pose of its end effector, a matrix by columns");
+    add("position", place, 0, kPositionColumns, 8, reason);
+    add("rotation", turn, 0, kMatrixColumns, 8, reason);
+  }
+
+  /// Poses whose rotation is no quaternion: UR's rotation vector, KUKA's A, B, C, FANUC's W, P, R, and roll, pitch,
+  /// yaw.
   void addOtherPoses() {
     std::map<Words, Family> vectors;
     std::map<std::string, std::size_t> single, turns;
@@ -233,13 +266,15 @@ class StreamGuess {
       const std::string reason = heft::say("pose of a KUKA: mm, and A, B, C in degrees");
       add("position", place, 0, kPositionColumns, 8, reason);
       add("rotation", abc, 0, kAbcColumns, 8, reason);
-      for (std::size_t c = out_.size() - 2; c < out_.size(); ++c)
-        for (auto& column : out_[c].columns) {
-          if (!column.unitNamed) column.scale = column.column[0] == 'p' ? 0.001 : std::numbers::pi / 180.0;
-          column.unitNamed = true;
-        }
+      inMillimetresAndDegrees();
     } else if (!place.empty()) {
       add("position", place, 0, kPositionColumns, 7, why());
+    }
+    if (const auto wpr = three(single, "w", "p", "r"); !wpr.empty() && !place.empty()) {
+      const std::string reason = heft::say("pose of a FANUC: mm, and W, P, R in degrees");
+      add("position", place, 0, kPositionColumns, 8, reason);
+      add("rotation", wpr, 0, kRpyColumns, 8, reason);
+      inMillimetresAndDegrees();
     }
     if (const auto rv = three(single, "rx", "ry", "rz"); !rv.empty())
       add("rotation", rv, 0, kVectorColumns, 7, heft::say("rotation vector"));

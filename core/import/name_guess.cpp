@@ -13,10 +13,11 @@ bool isOne(const std::string& word, std::span<const char* const> words) {
 
 /// Words of values that nobody measured.
 constexpr std::array kCommanded = {
-    "d",          "cmd",      "command",   "commanded", "desired",     "des",    "target",    "ref",     "reference",
-    "goal",       "setpoint", "limit",     "limits",    "error",       "errors", "ddq",       "qdd",     "dtau",
-    "dp",         "ddp",      "collision", "contact",   "std",         "stdev",  "finger",    "gripper", "covariance",
-    "inaccuracy", "accuracy", "variance",  "tolerance", "uncertainty", "soll",   "increment", "inc"};
+    "d",         "cmd",       "command",     "commanded", "desired",   "des",       "target",     "ref",
+    "reference", "goal",      "setpoint",    "limit",     "limits",    "error",     "errors",     "ddq",
+    "qdd",       "dtau",      "dp",          "ddp",       "collision", "contact",   "std",        "stdev",
+    "finger",    "gripper",   "covariance",  "planned",   "planner",   "simulated", "inaccuracy", "accuracy",
+    "variance",  "tolerance", "uncertainty", "soll",      "increment", "inc"};
 /// Words of wrenches from which something was taken away, or that no sensor measured.
 constexpr std::array kProcessed = {"compensated", "comp",     "bias", "unbiased", "zeroed",   "tared",
                                    "ext",         "external", "hat",  "estimate", "estimated"};
@@ -143,8 +144,35 @@ std::optional<Member> asMatrix(const Words& words) {
 }
 
 std::optional<JointMember> asJoint(const Words& words) {
-  static constexpr std::array kPositions = {"position", "positions", "pos", "q", "angle", "angles", "theta", "winkel"};
-  static constexpr std::array kVelocities = {"velocity", "velocities", "vel", "dq", "qd", "qdot", "speed", "speeds"};
+  static constexpr std::array kPositions = {"position",
+                                            "positions",
+                                            "pos",
+                                            "q",
+                                            "angle",
+                                            "angles",
+                                            "theta",
+                                            "winkel",
+                                            "gelenkwinkel",
+                                            "achswinkel",
+                                            "gelenkposition",
+                                            "achsposition",
+                                            "jointangle",
+                                            "jointangles",
+                                            "jointpos",
+                                            "jointposition",
+                                            "jointpositions"};
+  static constexpr std::array kVelocities = {"velocity",
+                                             "velocities",
+                                             "vel",
+                                             "dq",
+                                             "qd",
+                                             "qdot",
+                                             "speed",
+                                             "speeds",
+                                             "jointvel",
+                                             "jointvelocity",
+                                             "jointvelocities",
+                                             "gelenkgeschwindigkeit"};
   static constexpr std::array kOther = {
       "effort",        "efforts",      "torque",  "torques", "tau",    "current", "currents",  "temperature",
       "temp",          "temperatures", "is",      "force",   "wrench", "voltage", "power",     "acceleration",

@@ -66,6 +66,8 @@ TEST(Alignment, LeavesNoDelayOfTheRig) {
       EXPECT_LT(*joined.recording.meta.clockAlignmentStd, 0.02);
       const auto report = diagnosed(joined.recording);
       EXPECT_FALSE(lagIsFound(report)) << delay << ": " << said(report);
+      // No delay would have been seen, however large.
+      EXPECT_EQ(std::ranges::find(report.smallest, "time_offset", &Smallest::cause), report.smallest.end());
     }
 }
 
