@@ -12,6 +12,7 @@
 #include "core/import/field_name.h"
 #include "core/import/mapping.h"
 #include "core/import/name_guess.h"
+#include "core/import/pose_names.h"
 
 namespace heft {
 
@@ -44,9 +45,7 @@ const std::array<const char*, 3> kAbcColumns = {"kuka_a", "kuka_b", "kuka_c"};
 const std::array<const char*, 3> kRpyColumns = {"roll", "pitch", "yaw"};
 const std::array<const char*, 9> kMatrixColumns = {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"};
 
-/// Fields of one family by their index; the first one with an index counts.
-using Family = std::map<int, std::size_t>;
-using Families = std::map<Words, Family>;
+using Families = std::map<Words, Family>;  ///< Of each family the first field with an index counts.
 
 class StreamGuess {
  public:
@@ -83,7 +82,6 @@ class StreamGuess {
       if (fields.size() == 9) add("rotation", fields, 0, kMatrixColumns, 9, why());
     addInertial(accelerations, rates);
     addOtherPoses();
-    addFrankaPose();
     for (const auto& [family, fields] : joints) addJoints("joints", "q", family, fields);
     for (const auto& [family, fields] : velocities) addJoints("velocities", "dq", family, fields);
     if (!jointNames.empty()) {
@@ -202,84 +200,23 @@ class StreamGuess {
     }
   }
 
-  /// The last two candidates, a place and its turn, where their names state no units.
-  void inMillimetresAndDegrees() {
-    for (std::size_t c = out_.size() - 2; c < out_.size(); ++c)
-      for (auto& column : out_[c].columns) {
-        if (!column.unitNamed)
-          column.scale = column.column.size() == 2 && column.column[0] == 'p' ? 0.001 : std::numbers::pi / 180.0;
-        column.unitNamed = true;
-      }
-  }
-
-  /// Libfranka's pose of its end effector, O_T_EE[0] to O_T_EE[15]: a matrix of 4 x 4, one column after the other.
-  void addFrankaPose() {
-    Family elements;
-    for (std::size_t f = 0; f < names_.size(); ++f) {
-      const Words& words = names_[f].words;
-      const auto n = words.size();
-      if (n < 4 || words[n - 4] != "o" || words[n - 3] != "t" || words[n - 2] != "ee" || !isDigits(words[n - 1]))
-        continue;
-      if (words[n - 1].size() <= 2) elements.try_emplace(std::stoi(words[n - 1]), f);
-    }
-    if (elements.size() != 16 || elements.rbegin()->first != 15) return;
-    Family place, turn;
-    for (int row = 0; row < 3; ++row) {
-      place[row] = elements.at(12 + row);
-      for (int column = 0; column < 3; ++column) turn[3 * row + column] = elements.at(4 * column + row);
-    }
-    const std::string reason = heft::say("libfranka's pose of its end effector, a matrix by columns");
-    add("position", place, 0, kPositionColumns, 8, reason);
-    add("rotation", turn, 0, kMatrixColumns, 8, reason);
-  }
-
-  /// Poses whose rotation is no quaternion: UR's rotation vector, KUKA's A, B, C, FANUC's W, P, R, and roll, pitch,
-  /// yaw.
   void addOtherPoses() {
-    std::map<Words, Family> vectors;
-    std::map<std::string, std::size_t> single, turns;
-    for (std::size_t f = 0; f < names_.size(); ++f) {
-      const Words& words = names_[f].words;
-      if (words.empty() || isCommanded(words)) continue;
-      if (words.size() == 1 && words[0].size() <= 2) single.try_emplace(words[0], f);
-      if (words.back() == "roll" || words.back() == "pitch" || words.back() == "yaw")
-        turns.try_emplace(words.back(), f);
-      if (words.size() >= 3 && isDigits(words.back()) && anyIs(words, std::array{"tcp"}) &&
-          anyIs(words, std::array{"pose"}))
-        vectors[Words(words.begin(), words.end() - 1)].try_emplace(std::stoi(words.back()), f);
+    using Turn = SpelledPose::Turn;
+    for (const auto& pose : spelledPoses(names_)) {
+      const std::size_t before = out_.size();
+      const std::string reason = pose.why.empty() ? why() : pose.why;
+      if (!pose.place.empty()) add("position", pose.place, 0, kPositionColumns, pose.score, reason);
+      if (pose.form == Turn::vector) add("rotation", pose.turn, 0, kVectorColumns, pose.score, reason);
+      if (pose.form == Turn::abc) add("rotation", pose.turn, 0, kAbcColumns, pose.score, reason);
+      if (pose.form == Turn::rollPitchYaw) add("rotation", pose.turn, 0, kRpyColumns, pose.score, reason);
+      if (pose.form == Turn::matrix) add("rotation", pose.turn, 0, kMatrixColumns, pose.score, reason);
+      for (std::size_t c = before; pose.millimetresAndDegrees && c < out_.size(); ++c)
+        for (auto& column : out_[c].columns) {
+          const bool place = out_[c].part == "position";
+          if (!column.unitNamed) column.scale = place ? 0.001 : std::numbers::pi / 180.0;
+          column.unitNamed = true;
+        }
     }
-    for (const auto& [family, fields] : vectors) {
-      if (fields.size() != 6 || fields.begin()->first != 0 || fields.rbegin()->first != 5) continue;
-      Family place, turn;
-      for (const auto& [index, field] : fields) (index < 3 ? place : turn)[index % 3] = field;
-      const std::string reason = heft::say("pose of a UR with a rotation vector");
-      add("position", place, 0, kPositionColumns, 8, reason);
-      add("rotation", turn, 0, kVectorColumns, 8, reason);
-    }
-    const auto three = [&](const std::map<std::string, std::size_t>& from, const char* a, const char* b,
-                           const char* c) -> Family {
-      if (!from.contains(a) || !from.contains(b) || !from.contains(c)) return {};
-      return {{0, from.at(a)}, {1, from.at(b)}, {2, from.at(c)}};
-    };
-    const auto place = three(single, "x", "y", "z");
-    if (const auto abc = three(single, "a", "b", "c"); !abc.empty() && !place.empty()) {
-      const std::string reason = heft::say("pose of a KUKA: mm, and A, B, C in degrees");
-      add("position", place, 0, kPositionColumns, 8, reason);
-      add("rotation", abc, 0, kAbcColumns, 8, reason);
-      inMillimetresAndDegrees();
-    } else if (!place.empty()) {
-      add("position", place, 0, kPositionColumns, 7, why());
-    }
-    if (const auto wpr = three(single, "w", "p", "r"); !wpr.empty() && !place.empty()) {
-      const std::string reason = heft::say("pose of a FANUC: mm, and W, P, R in degrees");
-      add("position", place, 0, kPositionColumns, 8, reason);
-      add("rotation", wpr, 0, kRpyColumns, 8, reason);
-      inMillimetresAndDegrees();
-    }
-    if (const auto rv = three(single, "rx", "ry", "rz"); !rv.empty())
-      add("rotation", rv, 0, kVectorColumns, 7, heft::say("rotation vector"));
-    if (const auto rpy = three(turns, "roll", "pitch", "yaw"); !rpy.empty())
-      add("rotation", rpy, 0, kRpyColumns, 7, why());
   }
 
   void addJoints(const char* part, const char* prefix, const Words& family, const Family& fields) {

@@ -96,7 +96,10 @@ std::optional<Member> asWrenchArray(const Words& words) {
   Words family(words.begin(), words.end() - 1);
   static constexpr std::array kLong = {"force", "forces", "wrench", "ft", "fts", "netft", "forcetorque", "loadcell"};
   static constexpr std::array kJoint = {"joint", "joints", "effort", "current", "motor", "stiffness"};
-  if (!anyIs(family, kLong) || anyIs(family, kJoint)) return std::nullopt;
+  // "F_meas_1" beside "q_meas_1"
+  const bool measuredForce =
+      anyIs(family, std::array{"f"}) && anyIs(family, std::array{"meas", "measured", "msr", "sensor", "ist"});
+  if ((!anyIs(family, kLong) && !measuredForce) || anyIs(family, kJoint)) return std::nullopt;
   return Member{words.back()[0] - '0', std::move(family)};
 }
 
@@ -178,7 +181,7 @@ std::optional<JointMember> asJoint(const Words& words) {
       "temp",          "temperatures", "is",      "force",   "wrench", "voltage", "power",     "acceleration",
       "accelerations", "acc",          "jerk",    "mode",    "status", "moment",  "stiffness", "load",
       "tcp",           "pose",         "encoder", "ticks",   "fts",    "ft",      "column"};
-  static constexpr std::array kJoints = {"joint", "joints", "j", "axis", "a", "jnt", "achse", "gelenk"};
+  static constexpr std::array kJoints = {"joint", "joints", "j", "axis", "a", "jnt", "achse", "gelenk", "rax"};
   if (words.empty() || anyIs(words, kOther)) return std::nullopt;
   // The number that tells the joint: the last one ("fr3_joint1" has another before it).
   const auto number =

@@ -8825,7 +8825,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>{} That is not put down to the rig: Heft brought the two clocks together by the data, to within {:.1f} ms.</source>
-        <translation>{} Das wird nicht der Anlage zugeschrieben: Heft hat die beiden Uhren anhand der Daten zusammengebracht, auf {:.1f} ms genau.</translation>
+        <translation>{} Das wird nicht dem Aufbau zugeschrieben: Heft hat die beiden Uhren anhand der Daten zusammengebracht, auf {:.1f} ms genau.</translation>
     </message>
     <message>
         <source>To judge delays, record force and motion on one clock.</source>
@@ -8850,6 +8850,10 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>{}: several frames move on this topic ({}); {} is taken for the sensor.</source>
         <translation>{}: Auf diesem Topic bewegen sich mehrere Koordinatensysteme ({}); {} wird für den Sensor genommen.</translation>
+    </message>
+    <message>
+        <source>a matrix of 4 x 4, row by row</source>
+        <translation>eine Matrix von 4 x 4, Zeile für Zeile</translation>
     </message>
 </context>
 <context>

@@ -339,16 +339,24 @@ TEST_F(Spellings, CompoundsAndPlansAreTold) {
   const std::vector<std::string> german = {"Kraft X [N]",   "Kraft Y [N]",   "Kraft Z [N]",
                                            "Moment X [Nm]", "Moment Y [Nm]", "Moment Z [Nm]"};
   const auto milliseconds = [](int k) { return fmt::format("{}", 10 * k); };
-  for (const auto& names : {header("Zeitstempel [ms]", "Gelenkwinkel {} [rad]", german),
-                            header("ts_ms", "jointpos_{}", {"F[0]", "F[1]", "F[2]", "M[0]", "M[1]", "M[2]"}),
-                            header("tm_ms", "feedBack.joints[{}]",
-                                   {"measuredForce.0", "measuredForce.1", "measuredForce.2", "measuredForce.3",
-                                    "measuredForce.4", "measuredForce.5"},
-                                   0)}) {
+  for (const auto& names :
+       {header("Zeitstempel [ms]", "Gelenkwinkel {} [rad]", german),
+        header("ts_ms", "jointpos_{}", {"F[0]", "F[1]", "F[2]", "M[0]", "M[1]", "M[2]"}),
+        header("clock_ms", "RobAx.rax_{}", {"LoadFx", "LoadFy", "LoadFz", "LoadTx", "LoadTy", "LoadTz"}),
+        header("time_ms", "qMeas_{}", {"F_meas_1", "F_meas_2", "F_meas_3", "F_meas_4", "F_meas_5", "F_meas_6"}),
+        header("tm_ms", "feedBack.joints[{}]",
+               {"measuredForce.0", "measuredForce.1", "measuredForce.2", "measuredForce.3", "measuredForce.4",
+                "measuredForce.5"},
+               0)}) {
     const auto read = openRecording(write("words.csv", table(names, milliseconds)));
     ASSERT_TRUE(read.ok()) << names << ": " << read.error().message;
     expectFormula(read->recording);
   }
+  const auto timetable =
+      openRecording(write("timetable.csv", table(header("Time", "q{}", {"fx", "fy", "fz", "tx", "ty", "tz"}),
+                                                 [](int k) { return fmt::format("{:.2f} sec", 0.01 * k); })));
+  ASSERT_TRUE(timetable.ok()) << timetable.error().message;
+  expectFormula(timetable->recording);
   std::string both = "t";
   for (int j = 0; j < 7; ++j) both += fmt::format(",planned.joints[{}]", j);
   for (int j = 0; j < 7; ++j) both += fmt::format(",now.joints[{}]", j);
@@ -407,6 +415,30 @@ TEST_F(PosesOfOthers, LibfrankasMatrixByColumns) {
     for (int c = 0; c < 3; ++c) out += fmt::format(",{:.9g},{:.9g},{:.9g},0", R(0, c), R(1, c), R(2, c));
     return out + fmt::format(",0.1,0.2,{:.9g},1", 0.3 + t);
   }));
+}
+
+TEST_F(PosesOfOthers, AMatrixByRowsCountedFromEither) {
+  for (const int first : {0, 1}) {
+    std::string names = "t";
+    for (int r = 0; r < 4; ++r)
+      for (int c = 0; c < 4; ++c) names += fmt::format(",T_{}{}", r + first, c + first);
+    expectThePose(opened(names, [](double t, const Matrix3d& R) {
+      const Vector3d place(0.1, 0.2, 0.3 + t);
+      std::string out;
+      for (int r = 0; r < 3; ++r)
+        out += fmt::format(",{:.9g},{:.9g},{:.9g},{:.9g}", R(r, 0), R(r, 1), R(r, 2), place(r));
+      return out + ",0,0,0,1";
+    }));
+  }
+}
+
+TEST_F(PosesOfOthers, ARotationVectorWithWordsBeforeIt) {
+  expectThePose(
+      opened("t,TCP_X_mm,TCP_Y_mm,TCP_Z_mm,TCP_RX_rad,TCP_RY_rad,TCP_RZ_rad", [](double t, const Matrix3d& R) {
+        const Eigen::AngleAxisd turn(R);
+        const Vector3d v = turn.angle() * turn.axis();
+        return fmt::format(",100,200,{:.9g},{:.9g},{:.9g},{:.9g}", 300.0 + 1e3 * t, v.x(), v.y(), v.z());
+      }));
 }
 
 /// One JSON value that holds a whole table; what is no table keeps its own sentence.
