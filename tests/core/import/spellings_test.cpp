@@ -494,5 +494,20 @@ TEST_F(Spellings, ARateIsForTheFileWithoutAClock) {
   EXPECT_NEAR(read->recording.duration(), 9.98, 0.05);
 }
 
+/// Where a part is missing, of the others what would be taken is proposed: no pose beside joints.
+TEST_F(Spellings, NoPoseIsProposedBesideJoints) {
+  std::string text = "timestamp";
+  for (int j = 0; j < 6; ++j) text += fmt::format(",actual_q_{}", j);
+  for (int j = 0; j < 6; ++j) text += fmt::format(",actual_TCP_pose_{}", j);
+  text += "\n";
+  for (int k = 0; k < 20; ++k) text += fmt::format("{:.2f},0,1,2,3,4,{},0.1,0.2,0.3,1,0,{}\n", 0.01 * k, k, 0.1 * k);
+  const auto contents = inspectRecording(write("robot.csv", text));
+  ASSERT_TRUE(contents.ok()) << contents.error().message;
+  EXPECT_THAT(contents->missing, HasSubstr("no wrench"));
+  std::vector<std::string> names;
+  for (const auto& column : contents->proposed) names.push_back(column.column);
+  EXPECT_THAT(names, testing::ElementsAre("q1", "q2", "q3", "q4", "q5", "q6"));
+}
+
 }  // namespace
 }  // namespace heft
