@@ -93,6 +93,9 @@ class Kept {
         !joints && std::ranges::all_of(samples_, [](const auto& s) { return s.position.has_value(); });
     for (const auto& sample : samples_)
       if (joints ? sample.q.has_value() : sample.orientation.has_value()) rows.push_back(&sample);
+    // Without a gap, or not at all.
+    const bool felt = std::ranges::all_of(rows, [](const auto* s) { return s->accelerometer.has_value(); });
+    const bool turned = felt && std::ranges::all_of(rows, [](const auto* s) { return s->gyroscope.has_value(); });
     const auto count = static_cast<Eigen::Index>(rows.size());
     out.time.resize(count);
     out.wrench.resize(count, 6);
@@ -100,6 +103,8 @@ class Kept {
     if (velocities) out.dq.resize(count, first().joints);
     if (!joints) out.quaternion.resize(count, 4);
     if (position) out.position.resize(count, 3);
+    if (felt) out.accelerometer.resize(count, 3);
+    if (turned) out.gyroscope.resize(count, 3);
     for (Eigen::Index k = 0; k < count; ++k) {
       const LiveSample& sample = *rows[static_cast<std::size_t>(k)];
       out.time(k) = sample.time - first().time;
@@ -108,6 +113,8 @@ class Kept {
       for (Eigen::Index j = 0; j < out.dq.cols(); ++j) out.dq(k, j) = (*sample.dq)[static_cast<std::size_t>(j)];
       if (!joints) out.quaternion.row(k) = sample.orientation->coeffs().transpose();
       if (position) out.position.row(k) = sample.position->transpose();
+      if (felt) out.accelerometer.row(k) = sample.accelerometer->transpose();
+      if (turned) out.gyroscope.row(k) = sample.gyroscope->transpose();
     }
     return out;
   }

@@ -85,6 +85,10 @@ std::vector<Smallest> smallestVisible(Hypothesis& hypothesis, const std::vector<
       const Parameter& p =
           signature.form.parameters[static_cast<std::size_t>(signature.form.scan[static_cast<std::size_t>(i)])];
       if (!p.saysHowMuch) continue;
+      // What passes for our own alignment of two clocks is not seen at all.
+      VectorXd parameters = signature.form.start;
+      parameters(signature.form.scan[static_cast<std::size_t>(i)]) = size(i);
+      if (signature.form.cause->mayBeAlignment(signature.form, parameters, hypothesis.signals)) continue;
       const double value = size(i) * std::abs(p.scale);
       const auto known = std::ranges::find_if(out, [&](const Smallest& s) { return s.cause == id; });
       if (known == out.end())
@@ -202,6 +206,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   WhatRemains remains = whatRemains(hypothesis, readings->cleaned, by, structure);
   out.findings = std::move(remains.findings);
   sayOwnErrors(fitted.own, out);
+  sayAlignment(fitted.aligned, hypothesis.signals.clockAlignmentStd.value_or(0.0), out);
   addSeen(*readings, *found, fitted.causes, out);
   const std::optional<Structure> faint = addContacts(hypothesis, fitted.causes, remains.structure, out);
   std::ranges::move(fitted.causes, std::back_inserter(out.causes));

@@ -11,218 +11,12 @@
 #include "core/base/say.h"
 #include "core/import/field_name.h"
 #include "core/import/mapping.h"
+#include "core/import/name_guess.h"
+#include "core/import/pose_names.h"
 
 namespace heft {
 
 namespace {
-
-bool isOne(const std::string& word, std::span<const char* const> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-bool anyIs(const Words& tokens, std::span<const char* const> words) {
-  return std::any_of(tokens.begin(), tokens.end(), [&](const std::string& t) { return isOne(t, words); });
-}
-
-/// Words of values that nobody measured.
-constexpr std::array kCommanded = {
-    "d",          "cmd",      "command",   "commanded", "desired",     "des",    "target",    "ref",     "reference",
-    "goal",       "setpoint", "limit",     "limits",    "error",       "errors", "ddq",       "qdd",     "dtau",
-    "dp",         "ddp",      "collision", "contact",   "std",         "stdev",  "finger",    "gripper", "covariance",
-    "inaccuracy", "accuracy", "variance",  "tolerance", "uncertainty", "soll",   "increment", "inc"};
-/// Words of wrenches from which something was taken away, or that no sensor measured.
-constexpr std::array kProcessed = {"compensated", "comp",     "bias", "unbiased", "zeroed",   "tared",
-                                   "ext",         "external", "hat",  "estimate", "estimated"};
-
-/// What speaks against one of several sources that are otherwise alike: raw comes before what was made of it, and the
-/// sensor's own axes before others.
-struct Doubt {
-  int cost;
-  std::vector<const char*> words;
-};
-int doubtOf(const Words& words) {
-  static const std::array kDoubts = {
-      Doubt{4, {"filtered", "filter", "filt", "lowpass", "lp", "smoothed", "smooth", "butter", "kalman"}},
-      Doubt{4, {"average", "averaged", "avg", "mean", "median", "downsampled", "decimated"}},
-      Doubt{5, {"thresholded", "threshold", "deadband", "clipped", "saturated", "limited"}},
-      Doubt{6, {"transformed", "tf", "rotated", "corrected", "calibrated", "scaled", "normalized"}},
-      Doubt{8, {"world", "base", "global", "map", "odom", "robot_base"}},
-      Doubt{8, {"tcp", "ee", "eef", "tool", "user", "cartesian"}},
-      Doubt{6, {"estimated", "estimate", "est", "hat", "simulated", "sim", "virtual", "model", "predicted"}},
-      Doubt{6, {"motor", "theta", "rotor"}}};
-  int cost = 0;
-  for (const auto& doubt : kDoubts)
-    if (anyIs(words, doubt.words)) cost += doubt.cost;
-  return cost;
-}
-
-std::optional<int> axis(const std::string& word) {
-  if (word == "x") return 0;
-  if (word == "y") return 1;
-  if (word == "z") return 2;
-  return std::nullopt;
-}
-
-bool isDigits(const std::string& word) { return !word.empty() && word[0] >= '0' && word[0] <= '9'; }
-
-Words without(const Words& words, std::size_t from, std::size_t count) {
-  Words out(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(from));
-  out.insert(out.end(), words.begin() + static_cast<std::ptrdiff_t>(from + count), words.end());
-  return out;
-}
-
-/// What a field seems to be: an index among its kin, and which words make its name's family.
-struct Member {
-  int index = 0;
-  Words family;
-};
-
-constexpr std::array kForceWords = {"force", "forces", "f", "kraft"};
-constexpr std::array kTorqueWords = {"torque", "torques", "moment", "moments", "t", "m", "tau", "drehmoment"};
-
-/// 0..5 of a wrench: "fx", "force x", "wrench.torque.z", "ft[3]", "Fx_raw".
-std::optional<Member> asWrench(const Words& words) {
-  static constexpr std::array kOther = {"pose",     "twist",        "position", "translation",
-                                        "velocity", "acceleration", "joint"};
-  if (anyIs(words, kOther)) return std::nullopt;
-  for (std::size_t i = words.size(); i-- > 0;) {
-    const auto& word = words[i];
-    if (word.size() == 2 && (word[0] == 'f' || word[0] == 't' || word[0] == 'm'))
-      if (const auto a = axis(word.substr(1))) return Member{*a + (word[0] == 'f' ? 0 : 3), without(words, i, 1)};
-    if (i == 0) break;
-    const auto& before = words[i - 1];
-    std::optional<int> index = axis(word);
-    const bool number = word.size() == 1 && word[0] >= '0' && word[0] <= '5';
-    if (!index && number && i + 1 == words.size()) index = word[0] - '0';
-    if (!index) continue;
-    if (isOne(before, kForceWords) && *index < 3 && (before.size() > 1 || !number || i < 2 || !isDigits(words[i - 2])))
-      return Member{*index, without(words, i - 1, 2)};
-    if (isOne(before, kTorqueWords) && *index < 3) return Member{*index + 3, without(words, i - 1, 2)};
-  }
-  return std::nullopt;
-}
-
-/// An element of an array of six: "ft_raw_wrench_0", "fts_reading_1", "actual_TCP_force_5", "forceTorque[3]".
-std::optional<Member> asWrenchArray(const Words& words) {
-  if (words.size() < 2 || words.back().size() != 1 || !isDigits(words.back())) return std::nullopt;
-  Words family(words.begin(), words.end() - 1);
-  static constexpr std::array kLong = {"force", "forces", "wrench", "ft", "fts", "netft", "forcetorque", "loadcell"};
-  static constexpr std::array kJoint = {"joint", "joints", "effort", "current", "motor", "stiffness"};
-  if (!anyIs(family, kLong) || anyIs(family, kJoint)) return std::nullopt;
-  return Member{words.back()[0] - '0', std::move(family)};
-}
-
-struct PoseMember : Member {
-  bool quaternion = false;
-};
-
-std::optional<PoseMember> asPose(const Words& words) {
-  static constexpr std::array kPlaces = {"position", "translation", "pos", "xyz", "p"};
-  static constexpr std::array kTurns = {"orientation", "quaternion", "rotation", "quat", "ori", "q"};
-  static constexpr std::array kRates = {"velocity", "vel", "twist",   "speed", "acceleration",
-                                        "accel",    "acc", "angular", "linear"};
-  if (words.empty() || anyIs(words, kRates)) return std::nullopt;
-  for (std::size_t i = words.size(); i-- > 0;) {
-    const auto& word = words[i];
-    if (word.size() == 2 && (word[0] == 'p' || word[0] == 'q')) {
-      const auto a = word[1] == 'w' ? std::optional<int>(3) : axis(word.substr(1));
-      if (a && (word[0] == 'q' || *a < 3)) return PoseMember{{*a, without(words, i, 1)}, word[0] == 'q'};
-    }
-    // "pose_tx" beside "pose_qx"
-    if (word.size() == 2 && word[0] == 't' && anyIs(words, std::array{"pose"}))
-      if (const auto a = axis(word.substr(1))) return PoseMember{{*a, without(words, i, 1)}, false};
-    if (i == 0) break;
-    const auto a = word == "w" ? std::optional<int>(3) : axis(word);
-    if (!a) continue;
-    const auto& before = words[i - 1];
-    if (isOne(before, kTurns)) return PoseMember{{*a, without(words, i - 1, 2)}, true};
-    if (isOne(before, kPlaces) && *a < 3) return PoseMember{{*a, without(words, i - 1, 2)}, false};
-  }
-  return std::nullopt;
-}
-
-/// Elements of a rotation matrix by rows, "r11" to "r33" or "R[0][2]".
-std::optional<Member> asMatrix(const Words& words) {
-  static constexpr std::array kNames = {"r", "rot", "rotation", "matrix"};
-  const auto digit = [](char c) { return c - '0'; };
-  for (std::size_t i = 1; i < words.size(); ++i) {
-    if (!isOne(words[i - 1], kNames)) continue;
-    if (words[i].size() == 2 && isDigits(words[i])) {
-      const int row = digit(words[i][0]) - 1, column = digit(words[i][1]) - 1;
-      if (row >= 0 && row < 3 && column >= 0 && column < 3) return Member{3 * row + column, without(words, i, 1)};
-    }
-    if (i + 1 < words.size() && words[i].size() == 1 && isDigits(words[i]) && words[i + 1].size() == 1 &&
-        isDigits(words[i + 1])) {
-      const int row = digit(words[i][0]), column = digit(words[i + 1][0]);
-      if (row < 3 && column < 3) return Member{3 * row + column, without(words, i, 2)};
-    }
-  }
-  return std::nullopt;
-}
-
-struct JointMember : Member {
-  bool velocity = false;
-};
-
-std::optional<JointMember> asJoint(const Words& words) {
-  static constexpr std::array kPositions = {"position", "positions", "pos", "q", "angle", "angles", "theta", "winkel"};
-  static constexpr std::array kVelocities = {"velocity", "velocities", "vel", "dq", "qd", "qdot", "speed", "speeds"};
-  static constexpr std::array kOther = {
-      "effort",        "efforts",      "torque",  "torques", "tau",    "current", "currents",  "temperature",
-      "temp",          "temperatures", "is",      "force",   "wrench", "voltage", "power",     "acceleration",
-      "accelerations", "acc",          "jerk",    "mode",    "status", "moment",  "stiffness", "load",
-      "tcp",           "pose",         "encoder", "ticks",   "fts",    "ft",      "column"};
-  static constexpr std::array kJoints = {"joint", "joints", "j", "axis", "a", "jnt", "achse", "gelenk"};
-  if (words.empty() || anyIs(words, kOther)) return std::nullopt;
-  // The number that tells the joint: the last one ("fr3_joint1" has another before it).
-  const auto number =
-      std::find_if(words.rbegin(), words.rend(), [](const std::string& t) { return t.size() <= 2 && isDigits(t); });
-  if (number == words.rend()) return std::nullopt;
-  const auto at = static_cast<std::size_t>(words.rend() - number) - 1;
-  JointMember out;
-  out.index = std::stoi(words[at]);
-  out.family = words;
-  out.family[at] = "#";
-  // "dQ1" and "q_d1" are spelt alike but for the order.
-  out.velocity = anyIs(words, kVelocities);
-  if (out.velocity || anyIs(words, kPositions)) return out;
-  if (at > 0 && isOne(words[at - 1], kJoints)) return out;
-  if (anyIs(words, std::array{"joint", "joints"})) return out;
-  return std::nullopt;
-}
-
-struct InertialMember : Member {
-  bool rates = false;
-};
-
-/// 0..2 of an accelerometer ("ax", "linear_acceleration.x", "imu_acc_y", UR's "actual_tool_accelerometer_2") or of a
-/// gyroscope ("angular_velocity.x", "gyro_z", "wx").
-std::optional<InertialMember> asInertial(const Words& words) {
-  static constexpr std::array kAccelerations = {"acceleration", "accelerometer", "accel", "acc"};
-  static constexpr std::array kRates = {"gyro", "gyr", "gyroscope"};
-  static constexpr std::array kOther = {"joint", "joints", "ee", "eef", "tcp", "mag", "magnetometer"};
-  if (anyIs(words, kOther)) return std::nullopt;
-  for (std::size_t i = words.size(); i-- > 0;) {
-    const auto& word = words[i];
-    if (word.size() == 2 && (word[0] == 'a' || word[0] == 'w'))
-      if (const auto a = axis(word.substr(1))) return InertialMember{{*a, without(words, i, 1)}, word[0] == 'w'};
-    if (i == 0) break;
-    auto index = axis(word);
-    const auto& before = words[i - 1];
-    const bool angular = anyIs(words, std::array{"angular"});
-    if (!index && before == "accelerometer" && word.size() == 1 && word[0] >= '0' && word[0] <= '2')
-      index = word[0] - '0';
-    if (!index) continue;
-    if (isOne(before, kAccelerations) && !angular) return InertialMember{{*index, without(words, i - 1, 2)}, false};
-    if (isOne(before, kRates)) return InertialMember{{*index, without(words, i - 1, 2)}, true};
-    if (before == "velocity" && angular) return InertialMember{{*index, without(words, i - 1, 2)}, true};
-  }
-  return std::nullopt;
-}
-
-/// UR's controller takes the configured payload off this force, and turns it into its base's axes.
-bool isTcpForce(const Words& words) {
-  return anyIs(words, std::array{"tcp"}) && anyIs(words, std::array{"force"}) && anyIs(words, std::array{"actual"});
-}
 
 Quantity quantityOf(const std::string& column) {
   if (column[0] == 'f') return Quantity::force;
@@ -251,9 +45,7 @@ const std::array<const char*, 3> kAbcColumns = {"kuka_a", "kuka_b", "kuka_c"};
 const std::array<const char*, 3> kRpyColumns = {"roll", "pitch", "yaw"};
 const std::array<const char*, 9> kMatrixColumns = {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"};
 
-/// Fields of one family by their index; the first one with an index counts.
-using Family = std::map<int, std::size_t>;
-using Families = std::map<Words, Family>;
+using Families = std::map<Words, Family>;  ///< Of each family the first field with an index counts.
 
 class StreamGuess {
  public:
@@ -265,7 +57,7 @@ class StreamGuess {
     for (const auto& field : stream_.fields) names_.push_back(readFieldName(field));
     for (std::size_t f = 0; f < names_.size(); ++f) {
       const Words& words = names_[f].words;
-      if (anyIs(words, kCommanded)) continue;
+      if (isCommanded(words)) continue;
       const auto put = [&](Families& families, const Member& member) {
         families[member.family].try_emplace(member.index, f);
       };
@@ -283,10 +75,9 @@ class StreamGuess {
       if (fields.size() == 6 && fields.rbegin()->first - fields.begin()->first == 5 && fields.begin()->first <= 1)
         addWrench(family, fields, fields.begin()->first);
     for (const auto& [family, fields] : quaternions)
-      if (fields.size() == 4)
-        add("quaternion", fields, 0, kQuaternionColumns, poseScore() - doubtOfPose(family), why());
+      if (fields.size() == 4) addPose("quaternion", family, fields, kQuaternionColumns);
     for (const auto& [family, fields] : positions)
-      if (fields.size() == 3) add("position", fields, 0, kPositionColumns, poseScore() - doubtOfPose(family), why());
+      if (fields.size() == 3) addPose("position", family, fields, kPositionColumns);
     for (const auto& [family, fields] : matrices)
       if (fields.size() == 9) add("rotation", fields, 0, kMatrixColumns, 9, why());
     addInertial(accelerations, rates);
@@ -311,8 +102,6 @@ class StreamGuess {
   std::string why() const {
     return stream_.type.empty() ? heft::say("names of the columns") : heft::say("type {}", stream_.type);
   }
-  int poseScore() const { return stream_.type.starts_with("geometry_msgs/Pose") ? 30 : 10; }
-  int doubtOfPose(const Words& family) const { return anyIs(family, std::array{"camera", "object", "marker"}) ? 5 : 0; }
 
   ColumnSource source(const std::string& column, std::size_t field, const std::string& reason) const {
     ColumnSource out{column, index_, field, 1.0, reason, false, false};
@@ -329,6 +118,26 @@ class StreamGuess {
     for (const auto& [index, field] : fields)
       candidate.columns.push_back(source(names[static_cast<std::size_t>(index - first)], field, candidate.why));
     out_.push_back(std::move(candidate));
+  }
+
+  /// A place or a quaternion. Of a topic's transforms the ones that say whose they are come first; what never moves,
+  /// and what an inertial sensor makes of its own readings, is no pose of the arm.
+  template <class Names>
+  void addPose(const char* part, const Words& family, const Family& fields, const Names& names) {
+    int score = stream_.type.starts_with("geometry_msgs/Pose") ? 30 : 10;
+    std::string reason = why();
+    if (anyIs(family, std::array{"camera", "object", "marker"})) score -= 5;
+    const auto frame = transformOf(stream_.fields[fields.begin()->second]);
+    if (isDigits(frame)) score -= 6;
+    if (anyIs(wordsOf(stream_.name), std::array{"static"})) {
+      score -= 100;
+      reason = heft::say("its name says that it does not move");
+    }
+    if (stream_.type == "sensor_msgs/Imu") {
+      score -= 100;
+      reason = heft::say("an inertial sensor's own estimate, which knows nothing of the robot's base");
+    }
+    add(part, fields, 0, names, score, reason);
   }
 
   /// Forces and torques whose names differ in more than that word ("wrench__fts_fx" beside "wrench_fts_mx" are alike,
@@ -360,7 +169,7 @@ class StreamGuess {
     const bool ur = isTcpForce(family);
     score -= ur ? 5 : std::min(doubtOf(all), 20);
     const bool franka = stream_.type.starts_with("franka_msgs/");
-    if (anyIs(all, kProcessed) || franka) {
+    if (isProcessed(all) || franka) {
       score -= 100;
       reason = heft::say("an estimate or a compensated wrench: the tool's own weight may be taken out of it");
     }
@@ -391,50 +200,23 @@ class StreamGuess {
     }
   }
 
-  /// Poses whose rotation is no quaternion: UR's rotation vector, KUKA's A, B, C, and roll, pitch, yaw.
   void addOtherPoses() {
-    std::map<Words, Family> vectors;
-    std::map<std::string, std::size_t> single, turns;
-    for (std::size_t f = 0; f < names_.size(); ++f) {
-      const Words& words = names_[f].words;
-      if (words.empty() || anyIs(words, kCommanded)) continue;
-      if (words.size() == 1 && words[0].size() <= 2) single.try_emplace(words[0], f);
-      if (words.back() == "roll" || words.back() == "pitch" || words.back() == "yaw")
-        turns.try_emplace(words.back(), f);
-      if (words.size() >= 3 && isDigits(words.back()) && anyIs(words, std::array{"tcp"}) &&
-          anyIs(words, std::array{"pose"}))
-        vectors[Words(words.begin(), words.end() - 1)].try_emplace(std::stoi(words.back()), f);
-    }
-    for (const auto& [family, fields] : vectors) {
-      if (fields.size() != 6 || fields.begin()->first != 0 || fields.rbegin()->first != 5) continue;
-      Family place, turn;
-      for (const auto& [index, field] : fields) (index < 3 ? place : turn)[index % 3] = field;
-      const std::string reason = heft::say("pose of a UR with a rotation vector");
-      add("position", place, 0, kPositionColumns, 8, reason);
-      add("rotation", turn, 0, kVectorColumns, 8, reason);
-    }
-    const auto three = [&](const std::map<std::string, std::size_t>& from, const char* a, const char* b,
-                           const char* c) -> Family {
-      if (!from.contains(a) || !from.contains(b) || !from.contains(c)) return {};
-      return {{0, from.at(a)}, {1, from.at(b)}, {2, from.at(c)}};
-    };
-    const auto place = three(single, "x", "y", "z");
-    if (const auto abc = three(single, "a", "b", "c"); !abc.empty() && !place.empty()) {
-      const std::string reason = heft::say("pose of a KUKA: mm, and A, B, C in degrees");
-      add("position", place, 0, kPositionColumns, 8, reason);
-      add("rotation", abc, 0, kAbcColumns, 8, reason);
-      for (std::size_t c = out_.size() - 2; c < out_.size(); ++c)
+    using Turn = SpelledPose::Turn;
+    for (const auto& pose : spelledPoses(names_)) {
+      const std::size_t before = out_.size();
+      const std::string reason = pose.why.empty() ? why() : pose.why;
+      if (!pose.place.empty()) add("position", pose.place, 0, kPositionColumns, pose.score, reason);
+      if (pose.form == Turn::vector) add("rotation", pose.turn, 0, kVectorColumns, pose.score, reason);
+      if (pose.form == Turn::abc) add("rotation", pose.turn, 0, kAbcColumns, pose.score, reason);
+      if (pose.form == Turn::rollPitchYaw) add("rotation", pose.turn, 0, kRpyColumns, pose.score, reason);
+      if (pose.form == Turn::matrix) add("rotation", pose.turn, 0, kMatrixColumns, pose.score, reason);
+      for (std::size_t c = before; pose.millimetresAndDegrees && c < out_.size(); ++c)
         for (auto& column : out_[c].columns) {
-          if (!column.unitNamed) column.scale = column.column[0] == 'p' ? 0.001 : std::numbers::pi / 180.0;
+          const bool place = out_[c].part == "position";
+          if (!column.unitNamed) column.scale = place ? 0.001 : std::numbers::pi / 180.0;
           column.unitNamed = true;
         }
-    } else if (!place.empty()) {
-      add("position", place, 0, kPositionColumns, 7, why());
     }
-    if (const auto rv = three(single, "rx", "ry", "rz"); !rv.empty())
-      add("rotation", rv, 0, kVectorColumns, 7, heft::say("rotation vector"));
-    if (const auto rpy = three(turns, "roll", "pitch", "yaw"); !rpy.empty())
-      add("rotation", rpy, 0, kRpyColumns, 7, why());
   }
 
   void addJoints(const char* part, const char* prefix, const Words& family, const Family& fields) {

@@ -3,6 +3,10 @@
 #include <chrono>
 #include <string>
 
+#include "core/import/field_name.h"
+#include "core/import/time_column.h"
+#include "core/recording/number.h"
+
 namespace heft {
 
 namespace {
@@ -86,11 +90,23 @@ std::optional<double> readZone(DateScan& scan) {
   return sign * (3600.0 * hours + 60.0 * minutes);
 }
 
+/// "0.004 sec", "12.5 ms": a number with its unit, as MATLAB's timetables write it.
+std::optional<double> secondsOfDuration(std::string_view text) {
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const char* const after = csv::parseNumber(text.data(), end, value);
+  if (after == text.data() || after == end || *after != ' ') return std::nullopt;
+  const auto unit =
+      unitSi(lowerCase(std::string_view(after + 1, static_cast<std::size_t>(end - after - 1))), Quantity::time);
+  return unit ? std::optional(value * *unit) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<double> secondsOfDate(std::string_view text) {
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   if (text.size() > 40) return std::nullopt;
+  if (const auto duration = secondsOfDuration(text)) return duration;
   DateScan scan(text);
   scan.blanks();
   int hours = scan.number(4);

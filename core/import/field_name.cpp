@@ -179,7 +179,9 @@ std::string takeTrailingUnit(Words& words) {
     const bool number = before[0] >= '0' && before[0] <= '9';
     const bool axis =
         before == "x" || before == "y" || before == "z" || (before.size() == 2 && before[1] >= 'x' && before[1] <= 'z');
-    const bool time = before == "time" || before == "timestamp" || before == "stamp" || before == "t";
+    static constexpr std::array<std::string_view, 8> kTimes = {"time", "timestamp", "stamp", "t",
+                                                               "ts",   "tm",        "clock", "elapsed"};
+    const bool time = std::find(kTimes.begin(), kTimes.end(), before) != kTimes.end();
     if (!(last == "s" ? time : axis || number)) return {};
   }
   words.pop_back();
@@ -200,11 +202,12 @@ Words wordsOf(std::string_view name) {
     const char c = name[i];
     const int now = c >= '0' && c <= '9' ? 2 : isUpper(c) || isLower(c) ? 1 : 0;
     if (now != kind) close();
-    // "forceX" and "TCPForce" are two words each; "Fx", "dQ" and "mX" are one.
+    // "forceX", "TCPForce" and "qMeas" are two words each; "Fx", "dQ" and "mX" are one.
+    const bool wordFollows = i + 2 < name.size() && isLower(name[i + 1]) && isLower(name[i + 2]);
+    if (now == 1 && current.size() == 1 && isLower(current.back()) && isUpper(c) && wordFollows) close();
     if (now == 1 && current.size() > 1 && isUpper(c)) {
       const bool afterLower = isLower(current.back());
-      const bool newWord =
-          isUpper(current.back()) && i + 2 < name.size() && isLower(name[i + 1]) && isLower(name[i + 2]);
+      const bool newWord = isUpper(current.back()) && wordFollows;
       if (afterLower || newWord) close();
     }
     if (now != 0) current += c;
@@ -252,6 +255,14 @@ std::optional<double> unitSi(std::string_view unit, Quantity quantity) {
     if (quantity == Quantity::angularRate && each.quantity == Quantity::angle) return each.si;
   }
   return std::nullopt;
+}
+
+std::string transformOf(std::string_view field) {
+  constexpr std::string_view kBefore = "transforms[";
+  const auto open = field.find(kBefore);
+  const auto close = open == std::string_view::npos ? open : field.find(']', open);
+  if (close == std::string_view::npos) return {};
+  return std::string(field.substr(open + kBefore.size(), close - open - kBefore.size()));
 }
 
 }  // namespace heft

@@ -21,6 +21,10 @@ struct FieldName {
 /// ("q1 (filtered)", "position[elbow]") belongs to the words.
 FieldName readFieldName(std::string_view name);
 
+/// Which of a message's transforms a field belongs to: "tool0" of "transforms[tool0].transform.rotation.x", "0" where
+/// it is not said which. Empty for any other field.
+std::string transformOf(std::string_view field);
+
 enum class Quantity { time, angle, angularRate, length, force, torque, acceleration };
 
 /// SI units in one of `unit`; nothing if it is no unit of that quantity.

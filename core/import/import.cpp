@@ -42,10 +42,15 @@ std::optional<Error> withoutClock(const std::vector<Stream>& streams, const std:
   return std::nullopt;
 }
 
-/// Of every part the best source, whether or not they make a recording together.
+/// Of every part the best source, whether or not they make a recording together; poses where there are no joints.
 std::vector<ColumnSource> bestOfEach(const std::vector<ColumnCandidate>& candidates) {
-  std::vector<ColumnSource> out;
+  const auto has = [&](const char* part) {
+    return std::ranges::any_of(candidates, [&](const auto& c) { return c.part == part && c.score >= 0; });
+  };
   std::set<std::string> parts;
+  if (has("joints")) parts = {"quaternion", "rotation", "position"};
+  if (has("quaternion")) parts.insert("rotation");
+  std::vector<ColumnSource> out;
   for (const auto& candidate : candidates)
     if (candidate.score >= 0 && parts.insert(candidate.part).second)
       out.insert(out.end(), candidate.columns.begin(), candidate.columns.end());

@@ -45,6 +45,7 @@ class Joiner {
 
   Result<Recording> join(RecordingMeta meta) {
     if (auto failure = makeSignals(std::move(meta))) return *failure;
+    if (wrench_.stream != motion().stream) recording_.meta.clockAlignmentStd.reset();  // It is found anew.
     if (auto failure = align()) return *failure;
     if (recording_.meta.kind == RecordingKind::motion) witness_.align(wrench_);
     if (auto failure = resample()) return *failure;
@@ -240,6 +241,7 @@ class Joiner {
                        how);
       wrench_.time.array() += offset.seconds;
       wrenchShift_ = offset.seconds;
+      recording_.meta.clockAlignmentStd = offset.std;
       // What would have to be stated to get the same: it counts between the clocks as the files have them.
       const double stated =
           1e-9 * (static_cast<double>(motionZero_) - static_cast<double>(wrenchZero_)) + offset.seconds;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "core/base/text.h"
@@ -25,8 +26,14 @@ bool flatten(const json& node, const std::string& path, std::size_t depth, Named
   } else if (node.is_null()) {
     out.emplace_back(path, std::numeric_limits<double>::quiet_NaN());
   } else if (node.is_array()) {
-    for (std::size_t i = 0; i < node.size(); ++i)
-      if (!flatten(node[i], fmt::format("{}[{}]", path, i), depth + 1, out)) return false;
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      // Transforms come in any order; each is called after its child frame.
+      std::string label = std::to_string(i);
+      if (node[i].is_object())
+        if (const auto child = node[i].find("child_frame_id"); child != node[i].end() && child->is_string())
+          if (auto frame = printable(child->get<std::string>(), 100); !frame.empty()) label = std::move(frame);
+      if (!flatten(node[i], fmt::format("{}[{}]", path, label), depth + 1, out)) return false;
+    }
   } else if (node.is_object()) {
     const auto labels = node.find("name");
     const bool labelled = labels != node.end() && labels->is_array();
@@ -44,6 +51,37 @@ bool flatten(const json& node, const std::string& path, std::size_t depth, Named
     }
   }
   return true;
+}
+
+/// Deep nesting would exhaust the parser's own stack of brackets before flatten() sees it.
+bool isTooDeep(std::string_view text) {
+  std::size_t depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      if (c == '\\')
+        ++i;
+      else if (c == '"')
+        quoted = false;
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == '{' || c == '[') {
+      if (++depth > kDeepestArray) return true;
+    } else if ((c == '}' || c == ']') && depth > 0) {
+      --depth;
+    }
+  }
+  return false;
+}
+
+/// Arrays of an object, also of objects in it, by their paths.
+void collectArrays(const json& object, const std::string& path, std::map<std::string, const json*>& out) {
+  for (const auto& [key, value] : object.items()) {
+    const std::string inner = path.empty() ? key : path + "." + key;
+    if (value.is_array()) out[inner] = &value;
+    if (value.is_object()) collectArrays(value, inner, out);
+  }
 }
 
 }  // namespace
@@ -75,26 +113,41 @@ std::string withoutBareNaN(std::string_view text) {
 
 bool flattenJson(std::string_view text, NamedNumbers& out) {
   out.clear();
-  // Deep nesting would exhaust the parser's own stack of brackets before flatten() sees it.
-  std::size_t depth = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted) {
-      if (c == '\\')
-        ++i;
-      else if (c == '"')
-        quoted = false;
-    } else if (c == '"') {
-      quoted = true;
-    } else if (c == '{' || c == '[') {
-      if (++depth > kDeepestArray) return false;
-    } else if ((c == '}' || c == ']') && depth > 0) {
-      --depth;
-    }
-  }
+  if (isTooDeep(text)) return false;
   const json object = json::parse(withoutBareNaN(text), nullptr, false);
   return object.is_object() && flatten(object, {}, 0, out);
+}
+
+std::vector<std::string> rowsOfJsonTable(std::string_view text) {
+  constexpr std::size_t kFewestRows = 10;
+  const auto shown = [](const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); };
+  std::vector<std::string> rows;
+  if (isTooDeep(text)) return rows;
+  const json whole = json::parse(withoutBareNaN(text), nullptr, false);
+  if (whole.is_array()) {
+    for (const json& each : whole)
+      if (each.is_object()) rows.push_back(shown(each));
+  } else if (whole.is_object()) {
+    std::map<std::string, const json*> arrays;
+    collectArrays(whole, {}, arrays);
+    // The length that most of them share; of lengths that as many share, the greater.
+    std::map<std::size_t, std::size_t> lengths;
+    for (const auto& [path, values] : arrays) ++lengths[values->size()];
+    std::size_t count = 0, most = 0;
+    for (const auto& [length, times] : lengths)
+      if (length >= kFewestRows && times >= most) {
+        count = length;
+        most = times;
+      }
+    for (std::size_t k = 0; k < count; ++k) {
+      json row = json::object();
+      for (const auto& [path, values] : arrays)
+        if (values->size() == count) row[path] = (*values)[k];
+      rows.push_back(shown(row));
+    }
+  }
+  if (rows.size() < kFewestRows) rows.clear();
+  return rows;
 }
 
 }  // namespace heft

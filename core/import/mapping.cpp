@@ -5,76 +5,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <set>
 
-#include "core/base/json_file.h"
 #include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
+#include "core/import/field_name.h"
+#include "core/import/target.h"
 
 namespace heft {
 
 namespace {
 
-using nlohmann::json;
-
-constexpr std::array kParts = {"joints",   "velocities", "position",      "quaternion",
-                               "rotation", "wrench",     "accelerometer", "gyroscope"};
-/// A target of "use" that names a part of the file: a demonstration of several.
-constexpr const char* kDemonstration = "demo";
-
 constexpr int kNearlyAsGood = 2;  ///< Scores that differ by less say nothing.
 constexpr const char* kSaidByUser = "said by the user";
-constexpr double kLargestOffset = 2e9;  ///< [s] An epoch's clock beside one that counts from power-on.
-
-std::string partName(std::string_view part) {
-  static constexpr const char* kNames[] = {
-      heft::toSay("joints"),   heft::toSay("velocities"), heft::toSay("position"),      heft::toSay("quaternion"),
-      heft::toSay("rotation"), heft::toSay("wrench"),     heft::toSay("accelerometer"), heft::toSay("gyroscope")};
-  for (const char* const name : kNames)
-    if (part == name) return heft::say(fmt::runtime(name));
-  return std::string(part);
-}
-
-bool isRotation(const std::string& column) {
-  const auto& forms = rotationForms();
-  return std::any_of(forms.begin(), forms.end(),
-                     [&](const auto& form) { return std::find(form.begin(), form.end(), column) != form.end(); });
-}
-
-bool isColumn(const std::string& name) {
-  static const std::set<std::string> kFixed = {"px", "py", "pz",     "qx",     "qy",     "qz",  "qw",
-                                               "fx", "fy", "fz",     "tx",     "ty",     "tz",  "ax",
-                                               "ay", "az", "imu_wx", "imu_wy", "imu_wz", "time"};
-  if (kFixed.contains(name) || isRotation(name)) return true;
-  const auto digits = name.starts_with("dq") ? name.substr(2) : name.starts_with("q") ? name.substr(1) : std::string();
-  return !digits.empty() && digits.size() <= 2 && digits[0] != '0' &&
-         digits.find_first_not_of("0123456789") == std::string::npos;
-}
-
-std::string partOf(const std::string& column) {
-  static const std::set<std::string> kQuaternion = {"qx", "qy", "qz", "qw"};
-  if (kQuaternion.contains(column)) return "quaternion";
-  if (isRotation(column)) return "rotation";
-  if (column[0] == 'p') return "position";
-  if (column[0] == 'a') return "accelerometer";
-  if (column[0] == 'i') return "gyroscope";
-  if (column[0] == 'd') return "velocities";
-  if (column[0] == 'q') return "joints";
-  return "wrench";
-}
-
-std::optional<Error> checkTarget(const std::string& name, const std::string& where) {
-  const bool part = std::find(kParts.begin(), kParts.end(), name) != kParts.end();
-  if (part || isColumn(name) || name == kDemonstration) return std::nullopt;
-  return errorAt(
-      {where, 0, 0}, heft::say("\"{}\" is no column of a recording.", printable(name)),
-      heft::say("Known are time, q1 to q7, dq1 to dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, ax, ay, "
-                "az, and the groups joints, velocities, position, quaternion, rotation, wrench, accelerometer, "
-                "gyroscope, and demo."));
-}
-
 std::string shown(const Stream& stream) {
   if (stream.name.empty() || stream.name == "/") return stream.file;
   return stream.name;
@@ -186,12 +129,17 @@ class Chooser {
                    remedy(Remedy::showContents));
   }
 
-  /// Velocities belong to the joints' own stream, and are as many.
+  const std::string& nameOf(const ColumnSource& column) const { return streams_[column.stream].fields[column.field]; }
+
+  /// Velocities belong to the joints' own stream, and are as many; of several transforms, a place to its own turn.
   void takeFrom(const std::string& part, std::size_t stream) {
     const auto joints =
         std::count_if(chosen_.begin(), chosen_.end(), [](const auto& c) { return partOf(c.column) == "joints"; });
+    const auto turn = std::ranges::find(chosen_, "quaternion", [](const auto& c) { return partOf(c.column); });
+    const std::string frame = turn == chosen_.end() ? std::string() : transformOf(nameOf(*turn));
     for (const auto& candidate : candidates_) {
       if (candidate.part != part || candidate.score < 0 || candidate.columns[0].stream != stream) continue;
+      if (part == "position" && transformOf(nameOf(candidate.columns[0])) != frame) continue;
       if (part == "velocities" && static_cast<long>(candidate.columns.size()) != joints) continue;
       use(candidate);
       return;
@@ -347,123 +295,7 @@ class Chooser {
   std::vector<ColumnSource> chosen_;
 };
 
-Error badMap(const std::string& name, const std::string& what) {
-  return errorAt(
-      {name, 0, 0}, what,
-      heft::say("A map file is a JSON object with use, scale, offset_s, join, pose_of, clock, rate_hz, sensor, {}.",
-                fmt::join(conventionKeys(false), ", ")));
-}
-
 }  // namespace
-
-Result<MappingWishes> readMapFile(const std::filesystem::path& file) {
-  const auto name = displayName(file);
-  const auto read = readJsonFile(file);
-  if (!read) return read.error();
-  if (!read->is_object()) return badMap(name, heft::say("this is no JSON object."));
-  MappingWishes wishes;
-  auto stated = readConventions(*read, name);
-  if (!stated) return stated.error();
-  wishes.conventions = std::move(*stated);
-  const auto isConvention = [](const std::string& key, bool inSensor) {
-    const auto keys = conventionKeys(inSensor);
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
-  };
-  const auto numbers = [&](const json& node, std::map<std::string, double>& out) {
-    if (!node.is_object()) return false;
-    for (const auto& [key, value] : node.items()) {
-      if (!value.is_number() || !std::isfinite(value.get<double>())) return false;
-      out[key] = value.get<double>();
-    }
-    return true;
-  };
-  for (const auto& [key, value] : read->items()) {
-    if (key == "use") {
-      if (!value.is_object()) return badMap(name, heft::say("\"use\" is no object."));
-      for (const auto& [target, source] : value.items()) {
-        if (!source.is_string()) return badMap(name, heft::say("\"{}\" in \"use\" is no text.", printable(target)));
-        if (auto failure = checkTarget(target, name)) return *failure;
-        wishes.use[target] = source.get<std::string>();
-      }
-    } else if (key == "scale") {
-      if (!numbers(value, wishes.scale)) return badMap(name, heft::say("\"scale\" is no object of numbers."));
-      for (const auto& [target, factor] : wishes.scale) {
-        if (auto failure = checkTarget(target, name)) return *failure;
-        if (factor == 0.0 || (target == "time" && factor < 0.0))
-          return badMap(name, heft::say("the scale of {} is {}.", target, factor));
-      }
-    } else if (key == "offset_s") {
-      if (!numbers(value, wishes.offset)) return badMap(name, heft::say("\"offset_s\" is no object of numbers."));
-      for (const auto& [target, seconds] : wishes.offset)
-        if (std::abs(seconds) > kLargestOffset)
-          return errorAt({name, 0, 0},
-                         heft::say("the offset of {} is {:g} s, more than the {:g} s (63 years) by which clocks can "
-                                   "differ.",
-                                   printable(target), seconds, kLargestOffset),
-                         heft::say("Offsets are in seconds, also where the file counts in ms or ns."));
-    } else if (key == "rate_hz") {
-      if (!value.is_number() || !(value.get<double>() > 0.0) || value.get<double>() > 1e6)
-        return badMap(name, heft::say("\"rate_hz\" is no rate above 0."));
-      wishes.rateHz = value.get<double>();
-    } else if (key == "join") {
-      if (!value.is_array()) return badMap(name, heft::say("\"join\" is no list of files."));
-      for (const auto& each : value) {
-        if (!each.is_string()) return badMap(name, heft::say("\"join\" is no list of files."));
-        const std::filesystem::path other(each.get<std::string>());
-        wishes.join.push_back(other.is_absolute() ? other : file.parent_path() / other);
-      }
-    } else if (key == "pose_of") {
-      if (value != "sensor" && value != "flange")
-        return badMap(name, heft::say("\"pose_of\" is neither sensor nor flange."));
-      wishes.poseOfFlange = value == "flange";
-    } else if (key == "clock") {
-      if (value != "header" && value != "received")
-        return badMap(name, heft::say("\"clock\" is neither header nor received."));
-      wishes.clock = value.get<std::string>();
-    } else if (key == "sensor") {
-      if (!value.is_object()) return badMap(name, heft::say("\"sensor\" is no object."));
-      for (const auto& [inner, unused] : value.items())
-        if (const auto path = "sensor." + printable(inner); !isConvention(inner, true))
-          return badMap(name, heft::say("\"{}\" is not known.", path));
-    } else if (!isConvention(key, false)) {
-      return badMap(name, heft::say("\"{}\" is not known.", printable(key)));
-    }
-  }
-  return wishes;
-}
-
-std::filesystem::path mapFileOf(const std::filesystem::path& recording) {
-  auto map = recording;
-  map.replace_extension();
-  map += ".map.json";
-  return map;
-}
-
-std::string mapText(const MappingWishes& wishes, const std::filesystem::path& folder) {
-  json out = metaPatch(wishes.conventions);
-  if (!wishes.use.empty()) out["use"] = wishes.use;
-  if (!wishes.scale.empty()) out["scale"] = wishes.scale;
-  if (!wishes.offset.empty()) out["offset_s"] = wishes.offset;
-  for (const auto& file : wishes.join) {
-    const auto near = file.lexically_relative(folder);
-    const bool inside = !near.empty() && *near.begin() != "..";
-    out["join"].push_back((inside ? near : file).string());
-  }
-  if (wishes.poseOfFlange) out["pose_of"] = "flange";
-  if (!wishes.clock.empty()) out["clock"] = wishes.clock;
-  if (wishes.rateHz > 0.0) out["rate_hz"] = wishes.rateHz;
-  return out.dump(2) + "\n";
-}
-
-Result<bool> addWish(MappingWishes& wishes, const std::string& text) {
-  const auto sign = text.find('=');
-  if (sign == std::string::npos || sign == 0 || sign + 1 == text.size())
-    return Error{fmt::format("\"{}\" should be NAME=SOURCE, for instance wrench=/ft/raw.", printable(text))};
-  const auto target = text.substr(0, sign);
-  if (auto failure = checkTarget(target, "--use")) return *failure;
-  wishes.use[target] = text.substr(sign + 1);
-  return true;
-}
 
 double scaleWithin(const ColumnSource& column, const Conventions& conventions) {
   const char first = column.column[0];
@@ -502,15 +334,6 @@ std::vector<ColumnCandidate> rivalWrenches(const std::vector<Stream>& streams, c
     out.push_back(candidate);
   }
   return out;
-}
-
-const std::vector<std::vector<std::string>>& rotationForms() {
-  static const std::vector<std::vector<std::string>> kForms = {
-      {"rvx", "rvy", "rvz"},
-      {"kuka_a", "kuka_b", "kuka_c"},
-      {"roll", "pitch", "yaw"},
-      {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}};
-  return kForms;
 }
 
 Result<std::vector<ColumnSource>> chooseColumns(const std::vector<Stream>& streams, const MappingWishes& wishes,

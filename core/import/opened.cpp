@@ -62,6 +62,14 @@ Result<bool> readAll(Opened& opened, const FieldFilter& filter, const Progress& 
     // A column chosen for the time may stand in one of several files.
     TimeChoice time = timeChoice(opened.wishes);
     time.clockNeeded = opened.meta.kind == RecordingKind::motion;
+    if (time.rateHz > 0.0 && opened.files.size() > 1) {
+      // Of several files it is the rate of those that have no clock.
+      TimeChoice own = time;
+      own.rateHz = 0.0;
+      const auto look = readStreams(path, kind, {}, own, progress);
+      if (look && !hasErrors(look->findings) && std::ranges::none_of(look->streams, &Stream::clockless))
+        time.rateHz = 0.0;
+    }
     auto set = readStreams(path, kind, filter, time, progress);
     if ((!set || hasErrors(set->findings)) && opened.files.size() > 1 && !time.column.empty()) {
       time.column.clear();

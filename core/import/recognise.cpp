@@ -136,7 +136,15 @@ Result<FileKind> recognise(const std::filesystem::path& path) {
     NamedNumbers numbers;
     const auto line = bytes.substr(content, bytes.find('\n', content) - content);
     if (flattenJson(line, numbers)) return FileKind::jsonLines;
-    return FileKind::contractCsv;
+  }
+  if (content != std::string_view::npos && (bytes[content] == '{' || bytes[content] == '[')) {
+    const auto after = bytes.find_first_not_of(" \t\r\n", content + 1);
+    const bool object = bytes[content] == '{';
+    if (object || (after != std::string_view::npos && bytes[after] == '{')) {
+      const auto whole = readTextFile(path, kMaxRecordingBytes);
+      if (whole && !rowsOfJsonTable(*whole).empty()) return FileKind::jsonLines;
+    }
+    if (object) return FileKind::contractCsv;
   }
   return looksLikeTable(bytes) ? FileKind::table : FileKind::contractCsv;
 }

@@ -301,13 +301,23 @@ Result<StreamSet> readJsonLines(const std::filesystem::path& path, const TimeCho
   long firstBad = 0;
   NamedNumbers numbers;
   std::string_view rest = *text;
+  std::string asLines;
+  NamedNumbers first;
+  const auto begin = rest.find_first_not_of(" \t\r\n");
+  const bool lines = begin != std::string_view::npos && rest[begin] == '{' &&
+                     flattenJson(rest.substr(begin, rest.find('\n', begin) - begin), first);
+  if (!lines) {
+    for (const auto& row : rowsOfJsonTable(rest)) asLines += row + "\n";
+    if (!asLines.empty()) rest = asLines;
+  }
+  const auto size = static_cast<double>(rest.size());
   while (!rest.empty()) {
     const auto stop = rest.find('\n');
     auto content = rest.substr(0, stop);
     rest = stop == std::string_view::npos ? std::string_view() : rest.substr(stop + 1);
     if (++line % 1000 == 0) {
       if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
-      progress(1.0 - static_cast<double>(rest.size()) / static_cast<double>(text->size()), "reading");
+      progress(1.0 - static_cast<double>(rest.size()) / size, "reading");
     }
     while (!content.empty() && (content.back() == '\r' || content.back() == ' ' || content.back() == ','))
       content.remove_suffix(1);

@@ -25,7 +25,9 @@ int rankOf(const FieldName& name, const std::string& lower) {
   if (alone("time")) return 5;
   if (alone("timestamp") || alone("timestamps") || alone("stamp")) return 4;
   if (words.size() == 2 && words[0] == "time" && words[1] == "stamp") return 4;
-  if (alone("t") || alone("zeit") || alone("zeitstempel") || alone("elapsed") || alone("clock")) return 3;
+  if (alone("t") || alone("zeit") || alone("zeitstempel") || alone("elapsed") || alone("clock") || alone("ts") ||
+      alone("tm"))
+    return 3;
   if (words.empty() && !name.unit.empty()) return 3;  // "secs", "ms"
   if (words.size() > 4) return 0;
   // "robot.timestamp", "header.stamp", "elapsed_time", "time_since_start"

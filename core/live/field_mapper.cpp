@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "core/base/say.h"
 #include "core/base/text.h"
+#include "core/import/field_name.h"
 #include "core/import/mapping.h"
 
 namespace heft {
@@ -48,11 +50,15 @@ FieldMapper::Places FieldMapper::learn(const std::string& topic, const std::stri
     if (candidate.part == "quaternion") target = &places.quaternion;
     if (candidate.part == "position") target = &places.position;
     if (candidate.part == "wrench") target = &places.wrench;
+    if (candidate.part == "accelerometer") target = &places.accelerometer;
+    if (candidate.part == "gyroscope" && !places.accelerometer.empty()) target = &places.gyroscope;
     if (target == nullptr || !target->empty()) continue;
     for (const auto& column : candidate.columns) target->push_back({column.field, scaleWithin(column, conventions_)});
     if (target == &places.joints) places.motionScore = 100 + candidate.score;
     if (target == &places.quaternion) places.motionScore = std::max(places.motionScore, candidate.score);
     if (target == &places.wrench) places.wrenchScore = candidate.score;
+    if (target == &places.accelerometer) places.inertialScore = candidate.score;
+    if (target == &places.quaternion) places.frame = names[candidate.columns[0].field];
   }
   if (places.velocities.size() != places.joints.size()) places.velocities.clear();
   return places;
@@ -67,6 +73,7 @@ const FieldMapper::Places* FieldMapper::placesOf(const std::string& topic, const
   if (publishers.size() >= kMostPublishers) publishers.erase(publishers.begin());
   publishers.push_back(learn(topic, type, names));
   noteOthers(topic);
+  noteFrames(topic);
   return &publishers.back();
 }
 
@@ -89,6 +96,21 @@ void FieldMapper::noteOthers(const std::string& topic) {
     text += (text.empty() ? "" : "; ") + printable(fmt::format("{}", fmt::join(set, ", ")), 200);
   std::erase_if(notes_, [&](const std::string& note) { return note.starts_with(topic + ": "); });
   noteOnce(heft::say("{}: several publishers send on this topic ({}); the arm's joints are taken.", topic, text));
+}
+
+/// Says so where a topic has the poses of more than one frame.
+void FieldMapper::noteFrames(const std::string& topic) {
+  std::set<std::string> frames;
+  for (const auto& places : topics_[topic])
+    for (const auto& name : places.names)
+      if (const auto frame = transformOf(name); !frame.empty()) frames.insert(frame);
+  const auto taken = std::ranges::max_element(topics_[topic], [](const Places& a, const Places& b) {
+    return a.motionScore < b.motionScore || (a.motionScore == b.motionScore && a.frame > b.frame);
+  });
+  if (frames.size() < 2 || taken->frame.empty()) return;
+  std::erase_if(notes_, [&](const std::string& note) { return note.starts_with(topic + ": "); });
+  noteOnce(heft::say("{}: several frames move on this topic ({}); {} is taken for the sensor.", topic,
+                     printable(fmt::format("{}", fmt::join(frames, ", ")), 200), transformOf(taken->frame)));
 }
 
 void FieldMapper::takeMotion(const std::string& topic, const Places& places, const std::vector<double>& values,
@@ -116,35 +138,53 @@ std::optional<LiveSample> FieldMapper::map(const std::string& topic, const std::
   if (places == nullptr) return std::nullopt;
   bool motion = places->motionScore >= 0;
   bool wrench = places->wrenchScore >= 0;
+  bool inertial = places->inertialScore >= 0;
   for (const auto& [other, publishers] : topics_)
-    for (const auto& there : publishers) {  // ties go to the topic that comes first in the alphabet
+    for (const auto& there : publishers) {  // ties go to the topic that comes first in the alphabet, and so do frames
       const bool before = other < topic;
-      if (there.motionRank() > places->motionRank() || (there.motionRank() == places->motionRank() && before))
+      const bool frameBefore = before || (other == topic && places->joints.empty() && there.frame < places->frame);
+      if (there.motionRank() > places->motionRank() || (there.motionRank() == places->motionRank() && frameBefore))
         motion = false;
       if (there.wrenchScore > places->wrenchScore || (there.wrenchScore == places->wrenchScore && before))
         wrench = false;
+      if (there.inertialScore > places->inertialScore || (there.inertialScore == places->inertialScore && before))
+        inertial = false;
     }
   LiveSample sample;
   if (motion) takeMotion(topic, *places, values, sample);
   Vector6d numbers;
   if (wrench && pick(places->wrench, values, numbers)) sample.wrench = numbers;
-  if (!sample.hasMotion() && !sample.wrench) return std::nullopt;
+  Vector3d three;
+  if (inertial && pick(places->accelerometer, values, three)) sample.accelerometer = three;
+  if (sample.accelerometer && pick(places->gyroscope, values, three)) sample.gyroscope = three;
+  if (!sample.hasMotion() && !sample.wrench && !sample.accelerometer) return std::nullopt;
   return sample;
 }
 
 std::vector<std::string> FieldMapper::topics() const {
   std::vector<std::string> out;
   for (const auto& [topic, publishers] : topics_)
-    if (std::ranges::any_of(publishers, [](const Places& p) { return p.motionScore >= 0 || p.wrenchScore >= 0; }))
+    if (std::ranges::any_of(publishers, [](const Places& p) {
+          return p.motionScore >= 0 || p.wrenchScore >= 0 || p.inertialScore >= 0;
+        }))
       out.push_back(topic);
   return out;
 }
 
 bool isLiveType(const std::string& type) {
-  static constexpr std::array kTypes = {"sensor_msgs/JointState",  "geometry_msgs/WrenchStamped",
-                                        "geometry_msgs/Wrench",    "geometry_msgs/PoseStamped",
-                                        "franka_msgs/FrankaState", "franka_msgs/FrankaRobotState"};
+  static constexpr std::array kTypes = {
+      "sensor_msgs/JointState",         "geometry_msgs/WrenchStamped", "geometry_msgs/Wrench",
+      "geometry_msgs/PoseStamped",      "franka_msgs/FrankaState",     "franka_msgs/FrankaRobotState",
+      "geometry_msgs/TransformStamped", "tf2_msgs/TFMessage",          "sensor_msgs/Imu"};
   return std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
+}
+
+bool isTransform(const std::string& type) {
+  return type == "tf2_msgs/TFMessage" || type == "geometry_msgs/TransformStamped";
+}
+
+bool givesJoints(const std::string& type) {
+  return type == "sensor_msgs/JointState" || type.starts_with("franka_msgs/Franka");
 }
 
 }  // namespace heft

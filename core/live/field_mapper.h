@@ -17,9 +17,9 @@ class FieldMapper {
   explicit FieldMapper(std::vector<std::string> jointNames = {}, const Conventions& conventions = {})
       : jointNames_(std::move(jointNames)), conventions_(conventions) {}
 
-  /// Numbers of one message of a topic (empty for JSON over UDP). Nothing if the topic has neither motion nor wrench,
-  /// or another topic, or another publisher on the same one, has the better ones. Publishers are told apart by the
-  /// names of their numbers. The sample's time is not set.
+  /// Numbers of one message of a topic (empty for JSON over UDP). Nothing if the topic has neither motion, wrench nor
+  /// an accelerometer, or another topic, or another publisher on the same one, has the better ones. Publishers are told
+  /// apart by the names of their numbers. The sample's time is not set.
   std::optional<LiveSample> map(const std::string& topic, const std::string& type,
                                 const std::vector<std::string>& names, const std::vector<double>& values);
 
@@ -36,8 +36,9 @@ class FieldMapper {
   /// Where the numbers of one publisher are among a message's.
   struct Places {
     std::vector<std::string> names;
-    std::vector<Place> joints, velocities, quaternion, position, wrench;
-    int motionScore = -1, wrenchScore = -1;
+    std::vector<Place> joints, velocities, quaternion, position, wrench, accelerometer, gyroscope;
+    int motionScore = -1, wrenchScore = -1, inertialScore = -1;
+    std::string frame;  ///< Name of the field that the pose begins with: which of the transforms it is.
     /// More joints are the arm's, fewer a gripper's.
     std::pair<int, std::size_t> motionRank() const { return {motionScore, joints.size()}; }
   };
@@ -48,6 +49,7 @@ class FieldMapper {
   const Places* placesOf(const std::string& topic, const std::string& type, const std::vector<std::string>& names);
   void noteOnce(const std::string& sentence);
   void noteOthers(const std::string& topic);
+  void noteFrames(const std::string& topic);
   void takeMotion(const std::string& topic, const Places& places, const std::vector<double>& values,
                   LiveSample& sample);
 
@@ -59,5 +61,8 @@ class FieldMapper {
 
 /// True for message types that a live source should ask for.
 bool isLiveType(const std::string& type);
+/// Of these, transforms of any frames, which are asked for where nothing that givesJoints() is offered.
+bool isTransform(const std::string& type);
+bool givesJoints(const std::string& type);
 
 }  // namespace heft

@@ -44,6 +44,7 @@ class FoxgloveSource : public BridgeSource {
  protected:
   void connected() override {
     channels_.clear();
+    jointsOffered_ = false;
     ids_.clear();
   }
 
@@ -61,6 +62,9 @@ class FoxgloveSource : public BridgeSource {
     if (list == object.end() || !list->is_array()) return false;
     json subscriptions = json::array();
     bool sound = true;
+    for (const auto& each : *list)
+      if (each.is_object() && each.contains("schemaName") && each["schemaName"].is_string())
+        jointsOffered_ = jointsOffered_ || givesJoints(plainTypeName(each["schemaName"].get<std::string>()));
     for (const auto& each : *list) {
       const auto wish = advertised(each);
       if (!wish) sound = false;
@@ -90,7 +94,7 @@ class FoxgloveSource : public BridgeSource {
                        made.topic, printable(encoding, 40)));
       return 0;
     }
-    if (!isLiveType(made.type)) return 0;
+    if (!isLiveType(made.type) || (jointsOffered_ && isTransform(made.type))) return 0;
     made.json = encoding == "json";
     if (!made.json) {
       // Only .msg texts are read; a type that every system has is known without its definition.
@@ -135,6 +139,7 @@ class FoxgloveSource : public BridgeSource {
   }
 
   std::map<std::uint32_t, Channel> channels_;   ///< By subscription.
+  bool jointsOffered_ = false;                  ///< Then transforms are not needed.
   std::map<std::uint64_t, std::uint32_t> ids_;  ///< Subscription of each channel.
   NamedNumbers numbers_;
 };

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kLongest = 2.0;     ///< [s] A part waits so long for its partner.
 constexpr double kWidestGap = 0.25;  ///< [s] Across wider gaps nothing is interpolated, unless the streams are so slow.
+constexpr double kInertialLate = 0.3;  ///< [s] So far behind, an inertial sensor is not waited for.
 constexpr std::size_t kMostWaiting = 40000;
 
 /// Between two samples, `share` of the way to the later one.
@@ -26,6 +27,9 @@ LiveSample between(const LiveSample& a, const LiveSample& b, double share) {
   if (a.orientation && b.orientation) out.orientation = a.orientation->slerp(share, *b.orientation);
   if (a.position && b.position) out.position = (1.0 - share) * *a.position + share * *b.position;
   if (a.wrench && b.wrench) out.wrench = (1.0 - share) * *a.wrench + share * *b.wrench;
+  if (a.accelerometer && b.accelerometer)
+    out.accelerometer = (1.0 - share) * *a.accelerometer + share * *b.accelerometer;
+  if (a.gyroscope && b.gyroscope) out.gyroscope = (1.0 - share) * *a.gyroscope + share * *b.gyroscope;
   return out;
 }
 
@@ -66,6 +70,11 @@ std::optional<LiveSample> StreamMerger::matched(const LiveSample& base, const La
   LiveSample out = wrenchBase ? found : base;
   out.time = base.time;
   out.wrench = wrenchBase ? base.wrench : found.wrench;
+  if (!out.accelerometer) {
+    const LiveSample& fromOther = wrenchBase ? base : found;
+    out.accelerometer = fromOther.accelerometer;
+    out.gyroscope = fromOther.gyroscope;
+  }
   if (width > 0.0 && !wrenchBase) {  // the wrench is faster: its mean over the motion's step
     Vector6d sum = Vector6d::Zero();
     int count = 0;
@@ -77,7 +86,50 @@ std::optional<LiveSample> StreamMerger::matched(const LiveSample& base, const La
   return out;
 }
 
-void StreamMerger::emitReady(std::vector<LiveSample>& complete) {
+void StreamMerger::release(std::vector<LiveSample>& complete) {
+  auto& felt = inertial_.samples;
+  while (!waiting_.empty()) {
+    LiveSample& next = waiting_.front();
+    const double half = released_ > -1e299 ? std::min(0.5 * (next.time - released_), 0.5 * kWidestGap) : 0.0;
+    const bool comes = !next.accelerometer && inertial_.seen >= 3;
+    if (comes && inertial_.last < next.time + half && waiting_.back().time - inertial_.last < kInertialLate) return;
+    const auto after = std::lower_bound(felt.begin(), felt.end(), next.time,
+                                        [](const LiveSample& sample, double t) { return sample.time < t; });
+    const bool within = comes && after != felt.end() && (after != felt.begin() || after->time == next.time);
+    if (within) {
+      const LiveSample at =
+          after->time == next.time
+              ? *after
+              : between(*(after - 1), *after, (next.time - (after - 1)->time) / (after->time - (after - 1)->time));
+      if (after->time == next.time || after->time - (after - 1)->time <= std::max(kWidestGap, 5.0 * inertial_.step)) {
+        next.accelerometer = at.accelerometer;
+        next.gyroscope = at.gyroscope;
+      }
+    }
+    if (next.accelerometer && within && inertial_.step < 1.33 * half) {  // it is faster: its mean over the step
+      Vector3d acceleration = Vector3d::Zero(), rate = Vector3d::Zero();
+      int count = 0;
+      bool turning = next.gyroscope.has_value();
+      for (const LiveSample& sample : felt) {
+        if (std::abs(sample.time - next.time) > half) continue;
+        acceleration += *sample.accelerometer;
+        turning = turning && sample.gyroscope;
+        if (turning) rate += *sample.gyroscope;
+        ++count;
+      }
+      if (count > 1) {
+        next.accelerometer = acceleration / count;
+        next.gyroscope = turning ? std::optional<Vector3d>(rate / count) : std::nullopt;
+      }
+    }
+    while (felt.size() > 2 && felt[1].time < next.time - kWidestGap) felt.pop_front();
+    released_ = next.time;
+    complete.push_back(std::move(next));
+    waiting_.pop_front();
+  }
+}
+
+void StreamMerger::emitReady() {
   if (motion_.seen < 3 || wrench_.seen < 3) return;
   const bool wrenchBase = wrench_.step > 1.2 * motion_.step;
   Lane& base = wrenchBase ? wrench_ : motion_;
@@ -88,7 +140,7 @@ void StreamMerger::emitReady(std::vector<LiveSample>& complete) {
     if (other.last < next.time + 0.5 * width) return;  // its partner may still come
     const auto found = matched(next, other, width, wrenchBase);
     if (found && found->time > emitted_) {
-      complete.push_back(*found);
+      waiting_.push_back(*found);
       emitted_ = found->time;
     } else {
       ++unmatched_;
@@ -126,18 +178,21 @@ void StreamMerger::add(const LiveSample& read, std::vector<LiveSample>& complete
       return;
     }
     emitted_ = part.time;
-    complete.push_back(part);
+    waiting_.push_back(part);
+    release(complete);
     return;
   }
   if (part.hasMotion()) take(motion_, part);
   if (part.wrench) take(wrench_, part);
-  emitReady(complete);
+  if (!part.hasMotion() && !part.wrench && part.accelerometer) take(inertial_, part);
+  emitReady();
+  release(complete);
   // A source that stays away must not fill the memory.
-  for (Lane* lane : {&motion_, &wrench_}) {
+  for (Lane* lane : {&motion_, &wrench_, &inertial_}) {
     while (!lane->samples.empty() &&
            (lane->samples.front().time < lane->last - kLongest || lane->samples.size() > kMostWaiting)) {
       lane->samples.pop_front();
-      ++unmatched_;
+      unmatched_ += lane == &inertial_ ? 0 : 1;
     }
   }
 }

@@ -11,8 +11,9 @@
 namespace heft {
 
 /// As joinStreams() does for recordings: the slower of motion and wrench gives the times, the faster one is averaged
-/// over its steps. Which is slower is seen from the samples themselves. Samples that have both pass through.
-/// Not safe to use from several threads at once.
+/// over its steps. Which is slower is seen from the samples themselves. Samples that have both pass through. An
+/// inertial sensor that sends by itself is averaged over the steps of what is complete; nothing waits for one that is
+/// silent. Not safe to use from several threads at once.
 class StreamMerger {
  public:
   /// Takes a part in and appends the samples that have become complete, their times rising.
@@ -35,12 +36,16 @@ class StreamMerger {
     double last = 0.0;
   };
   bool take(Lane& lane, const LiveSample& part);
-  void emitReady(std::vector<LiveSample>& complete);
+  void emitReady();
   std::optional<LiveSample> matched(const LiveSample& base, const Lane& other, double width, bool wrenchBase) const;
+  /// Gives the `waiting_` samples what the inertial sensor read, as far as it has come.
+  void release(std::vector<LiveSample>& complete);
 
   LiveSample unwrapped(const LiveSample& part);
 
-  Lane motion_, wrench_;
+  Lane motion_, wrench_, inertial_;
+  std::deque<LiveSample> waiting_;  ///< Motion and wrench are there, the inertial sensor's part may still come.
+  double released_ = -1e300;        ///< [s] Time of the newest sample that was passed on.
   std::array<Unwrapper, 7> angles_;
   double anglesAt_ = 0.0;  ///< [s] Of the newest joint angles
   double emitted_ = -1e300;

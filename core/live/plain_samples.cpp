@@ -54,6 +54,14 @@ Result<LiveSample> PlainSamples::plain(const LiveSample& read) const {
       out.position = position.row(0).transpose();
     }
   }
+  const auto undone = [](std::optional<Vector3d>& value, const auto& undo) {
+    if (!value) return;
+    MatrixXd row = value->transpose();
+    undo(row);
+    value = row.row(0).transpose();
+  };
+  undone(out.accelerometer, [&](MatrixXd& row) { form_.undoAcceleration(row); });
+  undone(out.gyroscope, [&](MatrixXd& row) { form_.undoAngles(row); });
   if (!read.wrench) return out;
   MatrixXd wrench = read.wrench->transpose();
   form_.undoWrench(wrench);

@@ -45,7 +45,7 @@ Result<Recorder> Recorder::create(const std::filesystem::path& csv, const Record
 
 Recorder::~Recorder() {
   if (!disk_) return;
-  if (rows_ > 0) {
+  if (rows() > 0) {
     handOver();
     return;
   }
@@ -55,14 +55,19 @@ Recorder::~Recorder() {
   if (madeMeta_) std::filesystem::remove(metaFileOf(file_), code);
 }
 
-void Recorder::begin(const LiveSample& first) {
-  origin_ = first.time;
-  handed_ = hostNow();
-  joints_ = std::clamp(first.joints, 0, 7);
-  q_ = first.q.has_value();
-  dq_ = q_ && first.dq.has_value();
-  orientation_ = first.orientation.has_value();
-  position_ = orientation_ && first.position.has_value();
+void Recorder::begin() {
+  begun_ = true;
+  const auto any = [&](const auto& has) { return std::ranges::any_of(first_, has); };
+  origin_ = first_.front().time;
+  q_ = any([](const LiveSample& s) { return s.q.has_value(); });
+  // Poses that came before the first joint angles are not what the recording is about.
+  const auto like = [&](const LiveSample& s) { return s.q.has_value() == q_; };
+  dq_ = any([&](const LiveSample& s) { return s.q && s.dq; });
+  orientation_ = any([&](const LiveSample& s) { return like(s) && s.orientation; });
+  position_ = any([&](const LiveSample& s) { return like(s) && s.orientation && s.position; });
+  accelerometer_ = any([](const LiveSample& s) { return s.accelerometer.has_value(); });
+  gyroscope_ = any([](const LiveSample& s) { return s.accelerometer && s.gyroscope; });
+  joints_ = std::clamp(std::ranges::find_if(first_, like)->joints, 0, 7);
   pending_ = "time";
   if (q_)
     for (int j = 1; j <= joints_; ++j) pending_ += fmt::format(",q{}", j);
@@ -70,41 +75,57 @@ void Recorder::begin(const LiveSample& first) {
     for (int j = 1; j <= joints_; ++j) pending_ += fmt::format(",dq{}", j);
   if (position_) pending_ += ",px,py,pz";
   if (orientation_) pending_ += ",qx,qy,qz,qw";
-  pending_ += ",fx,fy,fz,tx,ty,tz\n";
+  pending_ += ",fx,fy,fz,tx,ty,tz";
+  if (accelerometer_) pending_ += ",ax,ay,az";
+  if (gyroscope_) pending_ += ",imu_wx,imu_wy,imu_wz";
+  pending_ += '\n';
+  for (const auto& sample : std::exchange(first_, {})) write(sample);
 }
 
 void Recorder::number(double value) { fmt::format_to(std::back_inserter(pending_), ",{}", value); }
 
-bool Recorder::add(const LiveSample& sample) {
-  if (failed_) return false;
-  if (!sample.wrench || !sample.hasMotion()) return true;
-  if (rows_ == 0) begin(sample);
+void Recorder::write(const LiveSample& sample) {
   // A row without what the header promises would be a hole; the motion's other form may be there for a moment only.
-  if ((q_ && !sample.q) || (orientation_ && !sample.orientation) || (position_ && !sample.position)) return true;
+  if ((q_ && !sample.q) || (orientation_ && !sample.orientation) || (position_ && !sample.position)) return;
   fmt::format_to(std::back_inserter(pending_), "{:.9f}", sample.time - origin_);
   const auto joints = static_cast<std::size_t>(joints_);
-  if (q_)
-    for (std::size_t j = 0; j < joints; ++j) number((*sample.q)[j]);
-  if (dq_) {
-    for (std::size_t j = 0; j < joints; ++j) {
-      if (sample.dq)
-        number((*sample.dq)[j]);
+  const auto orEmpty = [&](const auto& values, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (values)
+        number((*values)[static_cast<int>(i)]);
       else
         pending_ += ',';
     }
-  }
+  };
+  if (q_)
+    for (std::size_t j = 0; j < joints; ++j) number((*sample.q)[j]);
+  if (dq_) orEmpty(sample.dq, joints);
   if (position_)
     for (const double value : *sample.position) number(value);
   if (orientation_)
     for (const double value : sample.orientation->coeffs()) number(value);
   for (const double value : *sample.wrench) number(value);
+  if (accelerometer_) orEmpty(sample.accelerometer, 3);
+  if (gyroscope_) orEmpty(sample.gyroscope, 3);
   pending_ += '\n';
   ++rows_;
+}
+
+bool Recorder::add(const LiveSample& sample) {
+  if (failed_) return false;
+  if (!sample.wrench || !sample.hasMotion()) return true;
+  if (!begun_) {
+    if (first_.empty()) handed_ = hostNow();
+    first_.push_back(sample);
+  } else {
+    write(sample);
+  }
   return hostNow() - handed_ < kHandOver || handOver();
 }
 
 bool Recorder::handOver() {
   handed_ = hostNow();
+  if (!begun_ && !first_.empty()) begin();
   failed_ = !disk_->append(std::exchange(pending_, {}));
   return !failed_;
 }

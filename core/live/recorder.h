@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/live/growing_file.h"
@@ -25,23 +26,27 @@ class Recorder {
   Recorder(Recorder&& other) noexcept = default;
   ~Recorder();  ///< Writes what is left.
 
-  /// The first sample decides which columns there are. False once the disk is full or gone; problem() says so.
+  /// The samples of the first fifth of a second decide which columns there are. False once the disk is full or gone;
+  /// problem() says so.
   bool add(const LiveSample& sample);
   /// Waits until the disk has every row. False as above.
   bool flush();
 
-  std::uint64_t rows() const { return rows_; }
+  std::uint64_t rows() const { return rows_ + first_.size(); }
   std::string problem() const { return disk_->problem(); }
   const std::filesystem::path& file() const { return file_; }
 
  private:
   Recorder() = default;
-  void begin(const LiveSample& first);
+  /// Writes the header, and the samples that waited for it.
+  void begin();
+  void write(const LiveSample& sample);
   bool handOver();
   void number(double value);
 
   std::filesystem::path file_;
   std::unique_ptr<GrowingFile> disk_;  ///< Null where moved from
+  std::vector<LiveSample> first_;      ///< They wait until it is known which columns there are.
   std::string pending_;
   bool failed_ = false;
   bool madeMeta_ = false;
@@ -49,7 +54,8 @@ class Recorder {
   double origin_ = 0.0;
   double handed_ = 0.0;
   int joints_ = 0;
-  bool q_ = false, dq_ = false, orientation_ = false, position_ = false;
+  bool q_ = false, dq_ = false, orientation_ = false, position_ = false, accelerometer_ = false, gyroscope_ = false;
+  bool begun_ = false;
 };
 
 }  // namespace heft

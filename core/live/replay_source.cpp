@@ -70,6 +70,9 @@ class ReplaySource : public ThreadedSource {
                                        recording_.quaternion(k, 1), recording_.quaternion(k, 2));
     if (recording_.hasPosition()) sample.position = recording_.position.row(k).transpose();
     sample.wrench = recording_.wrench.row(k).transpose();
+    if (recording_.hasAccelerometer()) sample.accelerometer = recording_.accelerometer.row(k).transpose();
+    if (sample.accelerometer && recording_.gyroscope.rows() > 0)
+      sample.gyroscope = recording_.gyroscope.row(k).transpose();
     return sample;
   }
 

@@ -1,6 +1,7 @@
 // rosbridge v2: JSON over WebSocket. Topics are asked of rosapi, subscribed to, and arrive as "publish".
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -65,11 +66,14 @@ class RosbridgeSource : public BridgeSource {
     const auto topics = values->find("topics");
     const auto types = values->find("types");
     if (topics == values->end() || types == values->end() || !topics->is_array() || !types->is_array()) return false;
+    const bool joints = std::ranges::any_of(
+        *types, [](const json& t) { return t.is_string() && givesJoints(plainTypeName(t.get<std::string>())); });
     for (std::size_t i = 0; i < std::min(topics->size(), types->size()); ++i) {
       if (!(*topics)[i].is_string() || !(*types)[i].is_string()) return false;
       const auto type = plainTypeName((*types)[i].get<std::string>());
       const bool wrench = type.find("Wrench") != std::string::npos;
-      if (!isLiveType(type) || !(wrench ? wished_.wrench : wished_.joints).empty()) continue;
+      if (!isLiveType(type) || (joints && isTransform(type))) continue;
+      if (type != "sensor_msgs/Imu" && !(wrench ? wished_.wrench : wished_.joints).empty()) continue;
       subscribe((*topics)[i].get<std::string>(), type);
     }
     return true;

@@ -29,6 +29,9 @@ struct LiveSample {
   std::optional<Vector3d> position;         ///< p_BSo_B [m]; only together with orientation
   std::optional<Quaterniond> orientation;   ///< R_BS
   std::optional<Vector6d> wrench;           ///< As the sensor gives it: force [N], torque [N m], S axes
+  /// Of an inertial sensor on the tool side, in its own axes [m/s2], [rad/s]: see Recording. The gyroscope's only
+  /// together with the accelerometer's.
+  std::optional<Vector3d> accelerometer, gyroscope;
 
   bool hasMotion() const { return q.has_value() || orientation.has_value(); }
 };

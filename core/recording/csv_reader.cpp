@@ -323,12 +323,15 @@ std::optional<Error> contractMisfit(std::string_view head, const std::string& na
     const char* const end = csv::parseNumber(cell.data(), cell.data() + cell.size(), time);
     const char next = end == cell.data() + cell.size() ? '\0' : *end;
     const bool date = end != cell.data() && (next == '-' || next == ':' || next == '/' || next == '.' || next == 'T');
+    // "0.004 sec"
+    const bool unitBehind =
+        end != cell.data() && next == ' ' && end + 1 != cell.data() + cell.size() && end[1] >= 'a' && end[1] <= 'z';
     const bool commas = header->separator != ',' && line.find(',') != std::string_view::npos;
     const bool epoch = time > 1e11;
     // A row of units below the names has "s" or "[ms]" there.
     const bool unit =
         end == cell.data() && cell.size() <= 8 && cell.find_first_of("0123456789") == std::string_view::npos;
-    if (!date && !commas && !epoch && !unit) return std::nullopt;
+    if (!date && !unitBehind && !commas && !epoch && !unit) return std::nullopt;
     return errorAt({name, header->line + 1, map->time},
                    heft::say("\"{}\" in column time is no number of seconds.", printable(cell, 40)));
   }

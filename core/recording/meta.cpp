@@ -26,7 +26,8 @@ class MetaReader {
   Result<RecordingMeta> read(const Json& root) {
     if (!root.is_object())
       return fail("", heft::say("a meta file must be a JSON object {{...}}"), heft::say("See the keys in the manual."));
-    noteUnknown(root, "", {"robot", "kind", "sensor", "gravity_m_s2", "known_payload", "marks", "note"},
+    noteUnknown(root, "",
+                {"robot", "kind", "sensor", "gravity_m_s2", "known_payload", "clock_alignment_std_s", "marks", "note"},
                 conventionKeys(false));
     if (auto error = readRobot(root)) return *error;
     if (auto error = readKind(root)) return *error;
@@ -36,6 +37,7 @@ class MetaReader {
     meta_.conventions = stated->values;
     if (auto error = readGravity(root)) return *error;
     if (auto error = readKnownPayload(root)) return *error;
+    if (auto error = readClockAlignment(root)) return *error;
     if (auto error = readMarks(root)) return *error;
     if (auto error = readString(root, "", "note", meta_.note)) return *error;
     return std::move(meta_);
@@ -190,6 +192,16 @@ class MetaReader {
              heft::say(
                  "Check which point and which axes the inertia refers to; Heft wants it about the centre of mass."));
     }
+    return std::nullopt;
+  }
+
+  Failure readClockAlignment(const Json& root) {
+    const std::string key = "clock_alignment_std_s";
+    const auto* value = member(root, key.c_str());
+    if (value == nullptr) return std::nullopt;
+    if (!value->is_number() || !(value->get<double>() >= 0.0) || !std::isfinite(value->get<double>()))
+      return fail(key, heft::say("must be a time [s], not {}", shown(*value)));
+    meta_.clockAlignmentStd = value->get<double>();
     return std::nullopt;
   }
 

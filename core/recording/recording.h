@@ -42,6 +42,9 @@ struct RecordingMeta {
   Conventions conventions;            ///< Of the FILE's numbers; in memory they are in the plain form.
   Vector3d gravity{0.0, 0.0, -9.81};  ///< g_B [m/s2], pointing down.
   PartialPayload knownPayload;
+  /// [s] Standard deviation of what was added to the wrench's times where its clock and the motion's were brought
+  /// together by the data alone; nothing where they are on one clock. A delay then says nothing of the rig.
+  std::optional<double> clockAlignmentStd;
   std::vector<Mark> marks;
   std::string note;
 

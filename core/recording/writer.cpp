@@ -151,6 +151,7 @@ Result<std::string> metaText(const RecordingMeta& meta, const std::filesystem::p
     auto& rows = root["known_payload"]["inertia_com_kgm2"];
     for (int r = 0; r < 3; ++r) rows.push_back(vectorJson(known.inertiaCom->row(r).transpose()));
   }
+  if (meta.clockAlignmentStd) root["clock_alignment_std_s"] = *meta.clockAlignmentStd;
   for (const auto& mark : meta.marks)
     root["marks"].push_back({{"from_s", mark.from}, {"to_s", mark.to}, {"label", toString(mark.label)}});
   if (!meta.note.empty()) root["note"] = meta.note;

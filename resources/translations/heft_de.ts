@@ -8823,6 +8823,38 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The accelerometer reports gravity in place of what is felt (at rest it points down); its signs were turned.</source>
         <translation>Der Beschleunigungssensor meldet die Schwerkraft anstelle dessen, was er spürt (in Ruhe zeigt er nach unten); seine Vorzeichen wurden umgekehrt.</translation>
     </message>
+    <message>
+        <source>{} That is not put down to the rig: Heft brought the two clocks together by the data, to within {:.1f} ms.</source>
+        <translation>{} Das wird nicht dem Aufbau zugeschrieben: Heft hat die beiden Uhren anhand der Daten zusammengebracht, auf {:.1f} ms genau.</translation>
+    </message>
+    <message>
+        <source>To judge delays, record force and motion on one clock.</source>
+        <translation>Um Verzögerungen zu beurteilen, zeichnen Sie Kraft und Bewegung mit einer Uhr auf.</translation>
+    </message>
+    <message>
+        <source>its name says that it does not move</source>
+        <translation>ihrem Namen nach bewegt sie sich nicht</translation>
+    </message>
+    <message>
+        <source>an inertial sensor&apos;s own estimate, which knows nothing of the robot&apos;s base</source>
+        <translation>eine Schätzung des Inertialsensors selbst, der von der Basis des Roboters nichts weiß</translation>
+    </message>
+    <message>
+        <source>libfranka&apos;s pose of its end effector, a matrix by columns</source>
+        <translation>Pose des Endeffektors nach libfranka, eine Matrix nach Spalten</translation>
+    </message>
+    <message>
+        <source>pose of a FANUC: mm, and W, P, R in degrees</source>
+        <translation>Pose eines FANUC: mm, und W, P, R in Grad</translation>
+    </message>
+    <message>
+        <source>{}: several frames move on this topic ({}); {} is taken for the sensor.</source>
+        <translation>{}: Auf diesem Topic bewegen sich mehrere Koordinatensysteme ({}); {} wird für den Sensor genommen.</translation>
+    </message>
+    <message>
+        <source>a matrix of 4 x 4, row by row</source>
+        <translation>eine Matrix von 4 x 4, Zeile für Zeile</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

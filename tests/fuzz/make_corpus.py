@@ -51,6 +51,20 @@ def sqlite_bag():
     return content
 
 
+def rtde(types, numbers):
+    """What a controller of Universal Robots sends: version, a text, the outputs' types, rows."""
+
+    def package(kind, content):
+        return struct.pack(">H", 3 + len(content)) + kind + content
+
+    out = package(b"V", b"\x01") + package(b"v", struct.pack(">4I", 5, 11, 0, 0))
+    out += package(b"M", b"\x05hello\x04test\x01") + package(b"O", b"\x01" + types.encode()) + package(b"S", b"\x01")
+    for k in range(4):
+        row = [0.002 * k] + [0.1 * i + 0.01 * k for i in range(numbers - 1)]
+        out += package(b"U", b"\x01" + struct.pack(f">{numbers}d", *row))
+    return out + package(b"U", b"\x01" + struct.pack(f">{numbers}d", *[math.nan] * numbers))
+
+
 def npy(rows=8):
     head = "{'descr': '<f8', 'fortran_order': False, 'shape': (%d, 14), }" % rows
     head += " " * (63 - (len(head) + 10) % 64) + "\n"
@@ -149,6 +163,11 @@ def main():
         't{"op":"service_response","values":{"topics":["/ft","/js"],"types":["geometry_msgs/WrenchStamped","sensor_msgs/JointState"]},"result":true}',
         't{"op":"publish","topic":"/ft","msg":' + body.decode() + "}",
         't{"op":"publish","topic":"/js","msg":{"header":{"stamp":{"secs":-9e18,"nsecs":1}},"name":["a","b"],"position":[1,NaN],"velocity":[null,2]}}']))
+    put("rtde", "session", rtde(types="DOUBLE,VECTOR6D,VECTOR6D,VECTOR6D,DOUBLE,VECTOR3D,VECTOR6D", numbers=29))
+    put("rtde", "old_controller", rtde(types="DOUBLE,VECTOR6D,VECTOR6D,NOT_FOUND,NOT_FOUND,NOT_FOUND,NOT_FOUND", numbers=13))
+    rows = [{"t": 0.01 * k, "q": [math.sin(k + j) for j in range(7)], "f": {"x": k, "y": None, "z": 1}} for k in range(12)]
+    put("json_lines", "array_of_objects", json.dumps(rows))
+    put("json_lines", "object_of_arrays", json.dumps({"t": [r["t"] for r in rows], "arm": {"q": [r["q"] for r in rows]}}, indent=1))
     put("udp", "lines", '{"time":1,"q1":0,"q2":0,"q3":0,"q4":0,"q5":0,"q6":0,"q7":0,"fx":1,"fy":2,"fz":3,"tx":4,"ty":5,"tz":6}\n{"a":{"b":[1,[2,{"c":3}]]}}\n[1]\n')
     put("udp", "units", '{"time_ms":1,"Fx (N)":1,"fy_kgf":2,"torque_kgf_cm[0]":4,"q1_deg":1e308,"_":1,"n_m_":2,"kgf":1}\n')
     facets = "".join(f"facet normal 0 0 1\nouter loop\nvertex 0 0 {k}\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n" for k in range(2))

@@ -15,6 +15,7 @@
 #include "core/import/message_definition.h"
 #include "core/live/bridge.h"
 #include "core/live/field_mapper.h"
+#include "core/live/rtde_protocol.h"
 #include "core/live/sources.h"
 #include "core/mesh/mesh.h"
 #include "core/payload/shape.h"
@@ -157,6 +158,34 @@ void udp(std::string_view bytes) {
   }
 }
 
+/// What a controller sends: answers to the outputs that were asked for make the recipe of the rows that follow. It
+/// comes in pieces.
+void rtdeStream(std::string_view bytes) {
+  constexpr std::size_t kPiece = 100;
+  rtde::PackageReader reader;
+  rtde::Recipe recipe;
+  while (!bytes.empty() && !reader.broken()) {
+    const auto size = std::min(kPiece, bytes.size());
+    reader.add(bytes.substr(0, size));
+    bytes.remove_prefix(size);
+    while (const auto received = reader.next()) {
+      (void)rtde::textOf(received->content);
+      if (received->type == rtde::kSetUpOutputs) {
+        recipe.outputs = rtde::outputsWithout(rtde::missingIn(received->content, rtde::outputsWithout({})));
+        recipe.number = received->content.empty() ? '\0' : received->content[0];
+      }
+      const auto row = rtde::rowOf(received->content, recipe);
+      if (!row) continue;
+      if (const auto stamp = rtde::stampOf(*row)) require(std::isfinite(*stamp));
+      if (const auto told = rtde::configuredIn(*row)) require(std::isfinite(*told->payload.mass));
+      const auto sample = rtde::sampleOf(*row);
+      if (!sample) continue;
+      for (const double angle : *sample->q) require(std::isfinite(angle));
+      if (sample->wrench) require(sample->wrench->allFinite());
+    }
+  }
+}
+
 /// The ending tells assimp the format: it stands in the first line.
 void mesh(std::string_view bytes) {
   const auto line = std::min(bytes.find('\n'), bytes.size());
@@ -191,6 +220,7 @@ constexpr Parser kParsers[] = {{"recording", recording},
                                {"foxglove", foxglove},
                                {"rosbridge", rosbridge},
                                {"udp", udp},
+                               {"rtde", rtdeStream},
                                {"mesh", mesh}};
 
 }  // namespace

@@ -10,13 +10,23 @@
 
 namespace heft::diagnosis {
 
-namespace {}  // namespace
+bool madeByAlignment(const Hypothesis& hypothesis, const Found& found) {
+  bool all = false;
+  for (const Term& term : hypothesis.search.final.model.terms) {
+    const Cause& cause = *term.form->cause;
+    if (cause.id() != found.cause) continue;
+    all = cause.mayBeAlignment(*term.form, term.v, hypothesis.signals);
+    if (!all) break;
+  }
+  return all;
+}
 
 bool ownErrors(const Hypothesis& hypothesis, const Found& found) {
   constexpr double kPlain = 3.0 * kFaint;  // Evidence that speaks much for a cause
   constexpr double kEnlarged = 2.5, kEnlargedByCorners = 3.5;
   const std::string_view cause = found.cause;
   if (std::ranges::find(hypothesis.motionArtefacts, found.cause) != hypothesis.motionArtefacts.end()) return true;
+  if (madeByAlignment(hypothesis, found)) return true;
   if ((lags(cause) || enlarges(cause)) && found.gain < leftByNoise(hypothesis.signals)) return true;
   double over = 0.0, enough = found.gain > kPlain ? 0.0 : 1.0;
   bool swings = false;
@@ -41,6 +51,18 @@ void sayOwnErrors(const std::vector<Found>& own, DiagnosisReport& out) {
                  causeTitle(most->cause)),
        heft::say("Nothing need be done: the payload allows for it."),
        {}});
+}
+
+void sayAlignment(const std::vector<DiagnosedCause>& aligned, double std, DiagnosisReport& out) {
+  for (const DiagnosedCause& cause : aligned)
+    out.findings.push_back(
+        {Severity::info,
+         "clocks_aligned",
+         heft::say("{} That is not put down to the rig: Heft brought the two clocks together by the data, to within "
+                   "{:.1f} ms.",
+                   causeSentence(cause, {}), 2e3 * std),
+         heft::say("To judge delays, record force and motion on one clock."),
+         {}});
 }
 
 void saySmoothing(double cutoffHz, double evidence, DiagnosisReport& out) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/model/cause.h"
 #include "core/recording/channels.h"
 
@@ -23,6 +24,11 @@ constexpr double kPushes = 60.0;
 inline double overOwnTimes(double time) {
   constexpr double kOwn = 2e-5;  // [s]
   return std::abs(time) / kOwn;
+}
+
+/// Whether two clocks that Heft brought together may be off by that time [s].
+inline bool withinAlignment(double time, const Signals& signals) {
+  return signals.clockAlignmentStd && std::abs(time) < kManyDeviations * *signals.clockAlignmentStd;
 }
 
 /// A form whose parameters all start at zero and are all looked at.

@@ -56,6 +56,9 @@ class LowPassLag final : public Cause {
     return kShare * v;
   }
   double overOwnErrors(const Form&, const VectorXd& v, const Signals&) const override { return overOwnTimes(v(0)); }
+  bool mayBeAlignment(const Form&, const VectorXd& v, const Signals& signals) const override {
+    return withinAlignment(v(0), signals);
+  }
 
  private:
   enum Filter { kMean = 0, kOne = 1, kTwo = 3 };  // 2, in older files, had the time of each of two stages

@@ -51,6 +51,9 @@ class MotionLag final : public Cause {
       changeMotion(signals, kinematics, late);
   }
   double overOwnErrors(const Form&, const VectorXd& v, const Signals&) const override { return overOwnTimes(v(0)); }
+  bool mayBeAlignment(const Form&, const VectorXd& v, const Signals& signals) const override {
+    return withinAlignment(v(0), signals);
+  }
 
  private:
   /// Form::choice. What was smoothed in the sensor's axes is what inertia adds to the readings, not the robot's motion.

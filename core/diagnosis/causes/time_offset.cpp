@@ -55,6 +55,12 @@ class TimeOffset final : public Cause {
     const double apart = form.choice.empty() ? 0.0 : 0.5 * signals.duration() * v(1);
     return overOwnTimes(std::abs(v(0)) + std::abs(apart));
   }
+  /// A delay is taken out, whatever made it, where the readings are shifted until they follow the motion. What is left
+  /// is the shift's error, or makes up for what else lags and was taken for a delay.
+  bool mayBeAlignment(const Form& form, const VectorXd& v, const Signals& signals) const override {
+    if (form.choice.empty()) return signals.clockAlignmentStd.has_value();
+    return withinAlignment(0.5 * signals.duration() * v(1), signals);
+  }
 
  private:
   static constexpr int kApart = 1;  ///< form.choice

@@ -110,6 +110,8 @@ class Cause {
   }
   /// How much of that is enough where much speaks for the cause.
   virtual double enoughIfPlain(const Form&) const { return 1.0; }
+  /// Whether all of it may come of Heft's own bringing together of two clocks, see Signals::clockAlignmentStd.
+  virtual bool mayBeAlignment(const Form&, const VectorXd&, const Signals&) const { return false; }
   /// False for parameters that no thing of its kind has, with their standard deviations.
   virtual bool possible(const Form&, const VectorXd&, const VectorXd&) const { return true; }
   /// False for parameters, with their standard deviations, that nobody would believe of a cause that is named in the

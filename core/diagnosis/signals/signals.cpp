@@ -25,6 +25,7 @@ Signals signalsOf(const Recording& recording, const Motion& motion, const RobotM
   out.gravity = recording.meta.gravity;
   out.range = sensorRange(recording.meta.sensorModel);
   out.positionKnown = motion.originAccelerationKnown;
+  out.clockAlignmentStd = recording.meta.clockAlignmentStd;
   if (robot != nullptr && motion.q.cols() == motion.size()) {
     if (const auto link = robot->findLink(recording.meta.mount.parent)) {
       out.robot = robot;

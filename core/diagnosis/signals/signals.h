@@ -42,6 +42,7 @@ struct Signals {
   Vector3d gravity{0.0, 0.0, -9.81};  ///< g_B [m/s2]
   std::optional<Vector6d> range;      ///< Of the sensor [N, N m], where its model is known: sensor_range.h
   bool positionKnown = true;
+  std::optional<double> clockAlignmentStd;  ///< [s] As of RecordingMeta
   bool noisyMotion = false;  ///< Accelerations are noise not only above `keptHz`, but clearly so below, too
   /// Evidence for a motion smoothed this much, over one as usual, of bias and payload alone: how much of the misfit is
   /// noise of the motion. 0: smoothed as usual.

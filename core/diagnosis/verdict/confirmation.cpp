@@ -95,8 +95,8 @@ bool holds(const Found& found, const Gain& gain, const Hypothesis& hypothesis, d
                     : needed.moreOfFaint                                         ? kNamed
                                                                                  : 0.0))
     return false;
-  // Beside something unknown, what may as well be nothing is a part of that; so is an event that may be, and one size that
-  // was sought with further numbers, such as a loose mass with its frequency.
+  // Beside something unknown, what may as well be nothing is a part of that; so is an event that may be, and one size
+  // that was sought with further numbers, such as a loose mass with its frequency.
   const auto sought = [](const Term& t) {
     Eigen::Index sizes = 0;
     for (Eigen::Index p = 0; p < t.v.size(); ++p) sizes += isAmplitude(*t.form, p) ? 1 : 0;
@@ -189,9 +189,10 @@ class Steps {
 
 struct Round {
   std::vector<DiagnosedCause> causes;
-  Wrenches last;           ///< As of Confirmed
-  std::vector<Found> own;  ///< The same
-  bool dropped = false;    ///< Whether any did not hold
+  Wrenches last;                        ///< As of Confirmed
+  std::vector<DiagnosedCause> aligned;  ///< The same
+  std::vector<Found> own;               ///< The same
+  bool dropped = false;                 ///< Whether any did not hold
 };
 
 Round judged(Hypothesis& hypothesis, const Needed& needed, const Surrogates& chance, const Steps& steps, bool held) {
@@ -207,6 +208,12 @@ Round judged(Hypothesis& hypothesis, const Needed& needed, const Surrogates& cha
     // Part of the model, but no cause that somebody could mend.
     const bool turned = hypothesis.mountTurnReported && found->cause == ids::sensorRotation;
     if (found->cause == kRandomWalk || turned) continue;
+    if (madeByAlignment(hypothesis, *found)) {
+      DiagnosedCause& aligned = out.aligned.emplace_back();
+      aligned.id = found->cause;
+      describe(aligned, search.final, found->spread, hypothesis.signals, hypothesis.stretches);
+      continue;
+    }
     if (ownErrors(hypothesis, *found)) {
       out.own.push_back(*found);
       continue;
@@ -267,6 +274,7 @@ Confirmed confirmed(Hypothesis& hypothesis, const Surrogates& chance, const Vect
     Round round = judged(hypothesis, needed, chance, coarse, held);
     out.causes = std::move(round.causes);
     out.last = std::move(round.last);
+    out.aligned = std::move(round.aligned);
     out.own = std::move(round.own);
     out.remaining =
         round.dropped ? structureIn(hypothesis.signals, hypothesis.stretches, hypothesis.search.final) : beside;

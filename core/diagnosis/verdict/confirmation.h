@@ -11,9 +11,10 @@ namespace heft::diagnosis {
 
 struct Confirmed {
   std::vector<DiagnosedCause> causes;  ///< In the order of acceptance
-  Wrenches first, last;    ///< 6 x N, left over on unseen stretches by bias and payload alone, and with all causes
-  Structure remaining;     ///< What is left beside them
-  std::vector<Found> own;  ///< Part of the final model as well, but ownErrors()
+  Wrenches first, last;  ///< 6 x N, left over on unseen stretches by bias and payload alone, and with all causes
+  Structure remaining;   ///< What is left beside them
+  std::vector<DiagnosedCause> aligned;  ///< Part of the final model as well, but madeByAlignment()
+  std::vector<Found> own;               ///< Part of the final model as well, but ownErrors()
 };
 
 /// Measures what each cause gains on unseen stretches; those that do not hold are taken out of the work's final model.

@@ -108,5 +108,40 @@ TEST(Candidates, AKnownArmsJointsAreFoundByTheirNames) {
   EXPECT_EQ(fieldOf(streams, *chosen, "q3"), "/js:position[elbow_joint]");
 }
 
+/// Of several transforms those that say whose they are come first, and a place goes with its own turn.
+TEST(Candidates, TransformsAreToldApartByTheirFrames) {
+  std::vector<std::string> fields;
+  for (const char* const frame : {"0", "camera_link", "wrist_tool"}) {
+    for (const char axis : {'x', 'y', 'z'})
+      fields.push_back(fmt::format("transforms[{}].transform.translation.{}", frame, axis));
+    for (const char axis : {'x', 'y', 'z', 'w'})
+      fields.push_back(fmt::format("transforms[{}].transform.rotation.{}", frame, axis));
+  }
+  const std::vector<Stream> streams = {streamOf("/tf_static", "tf2_msgs/TFMessage", fields),
+                                       streamOf("/tf", "tf2_msgs/TFMessage", fields),
+                                       streamOf("/ft", "geometry_msgs/WrenchStamped", kWrench)};
+  Findings findings;
+  const auto chosen = chooseColumns(streams, {}, {}, findings);
+  ASSERT_TRUE(chosen.ok()) << chosen.error().message;
+  EXPECT_EQ(fieldOf(streams, *chosen, "qx"), "/tf:transforms[wrist_tool].transform.rotation.x");
+  EXPECT_EQ(fieldOf(streams, *chosen, "px"), "/tf:transforms[wrist_tool].transform.translation.x");
+  MappingWishes wishes;
+  wishes.use["quaternion"] = "/tf:camera_link";
+  const auto wished = chooseColumns(streams, wishes, {}, findings);
+  ASSERT_TRUE(wished.ok()) << wished.error().message;
+  EXPECT_EQ(fieldOf(streams, *wished, "pz"), "/tf:transforms[camera_link].transform.translation.z");
+}
+
+TEST(Candidates, AnInertialSensorsOwnOrientationIsNoPose) {
+  const std::vector<Stream> streams = {
+      streamOf("/imu", "sensor_msgs/Imu",
+               {"orientation.x", "orientation.y", "orientation.z", "orientation.w", "angular_velocity.x",
+                "angular_velocity.y", "angular_velocity.z", "linear_acceleration.x", "linear_acceleration.y",
+                "linear_acceleration.z"}),
+      streamOf("/ft", "geometry_msgs/WrenchStamped", kWrench)};
+  Findings findings;
+  EXPECT_FALSE(chooseColumns(streams, {}, {}, findings).ok());
+}
+
 }  // namespace
 }  // namespace heft

@@ -334,5 +334,180 @@ TEST(Stamps, BeyondTheirBoundAreNone) {
   EXPECT_EQ(soundStamp(std::numeric_limits<std::int64_t>::min()), 0);
 }
 
+/// Words that are one in one language and two in another, and what was planned before what was measured.
+TEST_F(Spellings, CompoundsAndPlansAreTold) {
+  const std::vector<std::string> german = {"Kraft X [N]",   "Kraft Y [N]",   "Kraft Z [N]",
+                                           "Moment X [Nm]", "Moment Y [Nm]", "Moment Z [Nm]"};
+  const auto milliseconds = [](int k) { return fmt::format("{}", 10 * k); };
+  for (const auto& names :
+       {header("Zeitstempel [ms]", "Gelenkwinkel {} [rad]", german),
+        header("ts_ms", "jointpos_{}", {"F[0]", "F[1]", "F[2]", "M[0]", "M[1]", "M[2]"}),
+        header("clock_ms", "RobAx.rax_{}", {"LoadFx", "LoadFy", "LoadFz", "LoadTx", "LoadTy", "LoadTz"}),
+        header("time_ms", "qMeas_{}", {"F_meas_1", "F_meas_2", "F_meas_3", "F_meas_4", "F_meas_5", "F_meas_6"}),
+        header("tm_ms", "feedBack.joints[{}]",
+               {"measuredForce.0", "measuredForce.1", "measuredForce.2", "measuredForce.3", "measuredForce.4",
+                "measuredForce.5"},
+               0)}) {
+    const auto read = openRecording(write("words.csv", table(names, milliseconds)));
+    ASSERT_TRUE(read.ok()) << names << ": " << read.error().message;
+    expectFormula(read->recording);
+  }
+  const auto timetable =
+      openRecording(write("timetable.csv", table(header("Time", "q{}", {"fx", "fy", "fz", "tx", "ty", "tz"}),
+                                                 [](int k) { return fmt::format("{:.2f} sec", 0.01 * k); })));
+  ASSERT_TRUE(timetable.ok()) << timetable.error().message;
+  expectFormula(timetable->recording);
+  std::string both = "t";
+  for (int j = 0; j < 7; ++j) both += fmt::format(",planned.joints[{}]", j);
+  for (int j = 0; j < 7; ++j) both += fmt::format(",now.joints[{}]", j);
+  both += ",fx,fy,fz,tx,ty,tz\n";
+  for (int k = 0; k < 100; ++k) {
+    both += plainTime(k);
+    for (int j = 0; j < 7; ++j) both += fmt::format(",{:.9g}", jointAt(0.01 * k, j) + 0.03);
+    for (int j = 0; j < 7; ++j) both += fmt::format(",{:.9g}", jointAt(0.01 * k, j));
+    for (int a = 0; a < 6; ++a) both += fmt::format(",{:.9g}", wrenchAt(0.01 * k, a));
+    both += "\n";
+  }
+  const auto read = openRecording(write("planned.csv", both));
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  expectFormula(read->recording);
+}
+
+/// A pose that turns about z by 0.5 t and then about its x by 0.3, at 0.1, 0.2, 0.3 + t metres.
+class PosesOfOthers : public InFolder {
+ protected:
+  static constexpr double kTilt = 0.3;
+  template <class Row>
+  Result<ReadRecording> opened(const std::string& names, Row row) {
+    std::string text = names + ",fx,fy,fz,tx,ty,tz\n";
+    for (int k = 0; k < 100; ++k) {
+      const double t = 0.01 * k;
+      text += fmt::format("{:.2f}", t) + row(t, Matrix3d(rotationFromRpy({kTilt, 0.0, 0.5 * t})));
+      for (int a = 0; a < 6; ++a) text += fmt::format(",{:.9g}", wrenchAt(t, a));
+      text += "\n";
+    }
+    return openRecording(write("pose.csv", text));
+  }
+  void expectThePose(const Result<ReadRecording>& read) {
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    const auto& recording = read->recording;
+    ASSERT_TRUE(recording.hasOrientation() && recording.hasPosition());
+    for (Eigen::Index k = 0; k < recording.rows(); ++k) {
+      const Eigen::Vector4d q = recording.quaternion.row(k).transpose();
+      const Matrix3d R = rotationFromRpy({kTilt, 0.0, 0.5 * recording.time(k)});
+      EXPECT_NEAR((Quaterniond(q(3), q(0), q(1), q(2)).toRotationMatrix() - R).norm(), 0.0, 1e-6) << k;
+      EXPECT_NEAR(recording.position(k, 2), 0.3 + recording.time(k), 1e-9) << k;
+    }
+  }
+};
+
+TEST_F(PosesOfOthers, AFanucsWpr) {
+  expectThePose(opened("TIME,X,Y,Z,W,P,R", [](double t, const Matrix3d&) {
+    return fmt::format(",100,200,{:.9g},{:.9g},0,{:.9g}", 300.0 + 1e3 * t, kTilt / kDegree, 0.5 * t / kDegree);
+  }));
+}
+
+TEST_F(PosesOfOthers, LibfrankasMatrixByColumns) {
+  std::string names = "t";
+  for (int i = 0; i < 16; ++i) names += fmt::format(",O_T_EE[{}]", i);
+  expectThePose(opened(names, [](double t, const Matrix3d& R) {
+    std::string out;
+    for (int c = 0; c < 3; ++c) out += fmt::format(",{:.9g},{:.9g},{:.9g},0", R(0, c), R(1, c), R(2, c));
+    return out + fmt::format(",0.1,0.2,{:.9g},1", 0.3 + t);
+  }));
+}
+
+TEST_F(PosesOfOthers, AMatrixByRowsCountedFromEither) {
+  for (const int first : {0, 1}) {
+    std::string names = "t";
+    for (int r = 0; r < 4; ++r)
+      for (int c = 0; c < 4; ++c) names += fmt::format(",T_{}{}", r + first, c + first);
+    expectThePose(opened(names, [](double t, const Matrix3d& R) {
+      const Vector3d place(0.1, 0.2, 0.3 + t);
+      std::string out;
+      for (int r = 0; r < 3; ++r)
+        out += fmt::format(",{:.9g},{:.9g},{:.9g},{:.9g}", R(r, 0), R(r, 1), R(r, 2), place(r));
+      return out + ",0,0,0,1";
+    }));
+  }
+}
+
+TEST_F(PosesOfOthers, ARotationVectorWithWordsBeforeIt) {
+  expectThePose(
+      opened("t,TCP_X_mm,TCP_Y_mm,TCP_Z_mm,TCP_RX_rad,TCP_RY_rad,TCP_RZ_rad", [](double t, const Matrix3d& R) {
+        const Eigen::AngleAxisd turn(R);
+        const Vector3d v = turn.angle() * turn.axis();
+        return fmt::format(",100,200,{:.9g},{:.9g},{:.9g},{:.9g}", 300.0 + 1e3 * t, v.x(), v.y(), v.z());
+      }));
+}
+
+/// One JSON value that holds a whole table; what is no table keeps its own sentence.
+TEST_F(Spellings, AJsonDocumentIsATable) {
+  std::string times, joints, wrenches, objects;
+  for (int k = 0; k < 100; ++k) {
+    const double t = 0.01 * k;
+    std::string q, w;
+    for (int j = 0; j < 7; ++j) q += fmt::format("{}{:.9g}", j > 0 ? "," : "", jointAt(t, j));
+    for (int a = 0; a < 6; ++a) w += fmt::format("{}{:.9g}", a > 0 ? "," : "", wrenchAt(t, a));
+    const char* const comma = k > 0 ? ",\n" : "";
+    times += fmt::format("{}{:.2f}", comma, t);
+    joints += fmt::format("{}[{}]", comma, q);
+    wrenches += fmt::format("{}[{}]", comma, w);
+    objects += fmt::format("{}{{\"time\":{:.2f},\"q\":[{}],\"wrench\":[{}]}}", comma, t, q, w);
+  }
+  for (const auto& text :
+       {fmt::format(R"({{"who": "me", "limits": [1, 2], "time": [{}], "arm": {{"q": [{}]}}, "wrench": [{}]}})", times,
+                    joints, wrenches),
+        fmt::format("{{\n \"time\":\n [{}],\n\"q\": [{}], \"wrench\": [{}]\n}}\n", times, joints, wrenches),
+        fmt::format("[{}]", objects), fmt::format("[\n{}\n]\n", objects)}) {
+    const auto read = openRecording(write("whole.json", text));
+    ASSERT_TRUE(read.ok()) << text.substr(0, 60) << ": " << read.error().message;
+    expectFormula(read->recording);
+    EXPECT_EQ(read->recording.rows(), 100);
+  }
+  const auto payload = openRecording(write("payload.json", "{\n \"mass_kg\": 1,\n \"com_m\": [0, 0, 0.1]\n}\n"));
+  ASSERT_FALSE(payload.ok());
+  EXPECT_THAT(payload.error().message, HasSubstr("this is JSON, not CSV"));
+}
+
+/// The rate that is stated is that of the file without a clock.
+TEST_F(Spellings, ARateIsForTheFileWithoutAClock) {
+  std::string joints = "time,q1,q2,q3,q4,q5,q6,q7\n", wrench = "fx,fy,fz,tx,ty,tz\n";
+  for (int k = 0; k < 1000; ++k) {
+    if (k % 2 == 0) {
+      joints += fmt::format("{:.2f}", 0.01 * k);
+      for (int j = 0; j < 7; ++j) joints += fmt::format(",{:.9g}", jointAt(0.01 * k, j));
+      joints += "\n";
+    }
+    for (int a = 0; a < 6; ++a) wrench += fmt::format("{}{:.9g}", a > 0 ? "," : "", wrenchAt(0.01 * k, a));
+    wrench += "\n";
+  }
+  ImportOptions options;
+  options.join = {write("wrench.csv", wrench)};
+  options.rateHz = 100.0;
+  MappingWishes wishes;
+  wishes.offset["wrench.csv"] = 0.0;
+  options.wishes = wishes;
+  const auto read = openRecording(write("joints.csv", joints), options);
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_NEAR(read->recording.rateHz(), 50.0, 1e-6);
+  EXPECT_NEAR(read->recording.duration(), 9.98, 0.05);
+}
+
+/// Where a part is missing, of the others what would be taken is proposed: no pose beside joints.
+TEST_F(Spellings, NoPoseIsProposedBesideJoints) {
+  std::string text = "timestamp";
+  for (int j = 0; j < 6; ++j) text += fmt::format(",actual_q_{}", j);
+  for (int j = 0; j < 6; ++j) text += fmt::format(",actual_TCP_pose_{}", j);
+  text += "\n";
+  for (int k = 0; k < 20; ++k) text += fmt::format("{:.2f},0,1,2,3,4,{},0.1,0.2,0.3,1,0,{}\n", 0.01 * k, k, 0.1 * k);
+  const auto contents = inspectRecording(write("robot.csv", text));
+  ASSERT_TRUE(contents.ok()) << contents.error().message;
+  EXPECT_THAT(contents->missing, HasSubstr("no wrench"));
+  std::vector<std::string> names;
+  for (const auto& column : contents->proposed) names.push_back(column.column);
+  EXPECT_THAT(names, testing::ElementsAre("q1", "q2", "q3", "q4", "q5", "q6"));
+}
+
 }  // namespace
 }  // namespace heft

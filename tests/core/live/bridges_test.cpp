@@ -173,6 +173,104 @@ TEST(Foxglove, AFrankaTellsWhatItWasToldThatItCarries) {
   EXPECT_EQ(source->status().configured->payload.com->z(), 0.03);
 }
 
+/// JSON of a TFMessage: the tool's turn about z by `angle`, a camera that stands, and one without a child frame, in an
+/// order that changes with k.
+std::string transformsJson(double angle, int k) {
+  const auto one = [&](const std::string& child, double z, double w, double height) {
+    return fmt::format(
+        R"({{"header":{{"frame_id":"base"}},"child_frame_id":"{}","transform":{{"translation":{{"x":0.1,)"
+        R"("y":0.2,"z":{}}},"rotation":{{"x":0,"y":0,"z":{},"w":{}}}}}}})",
+        child, height, z, w);
+  };
+  const auto tool = one("wrist_tool", std::sin(0.5 * angle), std::cos(0.5 * angle), 0.7);
+  const auto camera = one("camera_link", 0.0, 1.0, 0.9), nameless = one("", 1.0, 0.0, 0.8);
+  return k % 3 == 0   ? fmt::format(R"({{"transforms":[{},{},{}]}})", camera, tool, nameless)
+         : k % 3 == 1 ? fmt::format(R"({{"transforms":[{},{}]}})", nameless, tool)
+                      : fmt::format(R"({{"transforms":[{}]}})", tool);
+}
+
+/// Once the tool's frame is known, nothing of the others.
+void expectTheTool(const Collected& collected) {
+  const auto samples = collected.samples();
+  ASSERT_GT(samples.size(), 10u);
+  for (std::size_t k = 3; k < samples.size(); ++k) {
+    ASSERT_TRUE(samples[k].orientation && samples[k].position) << k;
+    EXPECT_EQ(samples[k].position->z(), 0.7) << k;
+    EXPECT_GT(samples[k].orientation->z(), 0.0) << k;
+  }
+}
+
+const char* const kTransforms =
+    R"({"op":"advertise","channels":[)"
+    R"({"id":3,"topic":"/tf","encoding":"json","schemaName":"tf2_msgs/msg/TFMessage","schema":"{}","schemaEncoding":"jsonschema"}]})";
+
+TEST(Foxglove, TransformsGiveThePoseWhereThereAreNoJoints) {
+  FakeBridge bridge("foxglove.sdk.v1", [](FakeBridge& self) { self.sendText(kTransforms); }, {});
+  Collected collected;
+  const auto source = makeFoxgloveSource("127.0.0.1", bridge.port());
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  ASSERT_TRUE(eventually([&] { return !bridge.texts().empty(); }));
+  for (int k = 0; k < 30; ++k)
+    bridge.sendBinary(std::string(1, '\1') + little<std::uint32_t>(1) +
+                      little<std::uint64_t>(1000000000u + 10000000u * static_cast<unsigned>(k)) +
+                      transformsJson(0.5 + 0.01 * k, k));
+  ASSERT_TRUE(collected.reach(12));
+  expectTheTool(collected);
+  EXPECT_EQ(source->status().malformed, 0u);
+  EXPECT_THAT(source->status().notes, ::testing::Contains(::testing::HasSubstr("wrist_tool is taken")));
+}
+
+TEST(Foxglove, TransformsAreNotAskedForBesideJoints) {
+  FakeBridge bridge(
+      "foxglove.sdk.v1",
+      [](FakeBridge& self) {
+        self.sendText(
+            R"({"op":"advertise","channels":[)"
+            R"({"id":3,"topic":"/tf","encoding":"json","schemaName":"tf2_msgs/msg/TFMessage","schema":"{}","schemaEncoding":"jsonschema"},)"
+            R"({"id":4,"topic":"/js","encoding":"json","schemaName":"sensor_msgs/msg/JointState","schema":"{}","schemaEncoding":"jsonschema"}]})");
+      },
+      {});
+  Collected collected;
+  const auto source = makeFoxgloveSource("127.0.0.1", bridge.port());
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  ASSERT_TRUE(eventually([&] { return !bridge.texts().empty(); }));
+  EXPECT_EQ(bridge.texts()[0], R"({"op":"subscribe","subscriptions":[{"channelId":4,"id":1}]})");
+}
+
+/// CDR of an Imu whose rates are 1, 2, 3 and whose accelerations `first`, first + 1, first + 2; its orientation is
+/// none.
+std::string cdrImu(std::int32_t seconds, std::uint32_t nanoseconds, double first) {
+  std::string body = little(seconds) + little(nanoseconds) + little<std::uint32_t>(4) + std::string("imu\0", 4);
+  for (int i = 0; i < 4; ++i) body += little(0.0);
+  for (int i = 0; i < 9; ++i) body += little(-1.0);
+  for (int i = 0; i < 3; ++i) body += little(1.0 + i);
+  for (int i = 0; i < 9; ++i) body += little(0.0);
+  for (int i = 0; i < 3; ++i) body += little(first + i);
+  for (int i = 0; i < 9; ++i) body += little(0.0);
+  return std::string("\0\1\0\0", 4) + body;
+}
+
+TEST(Foxglove, AnInertialSensorIsRead) {
+  FakeBridge bridge("foxglove.sdk.v1",
+                    [](FakeBridge& self) {
+                      self.sendText(R"({"op":"advertise","channels":[{"id":3,"topic":"/tool/imu","encoding":"cdr",)"
+                                    R"("schemaName":"sensor_msgs/msg/Imu","schema":"","schemaEncoding":"ros2msg"}]})");
+                    },
+                    {});
+  Collected collected;
+  const auto source = makeFoxgloveSource("127.0.0.1", bridge.port());
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  ASSERT_TRUE(eventually([&] { return !bridge.texts().empty(); }));
+  for (int k = 0; k < 20; ++k) bridge.sendBinary(dataMessage(1, cdrImu(5, 1000000 * (k + 1), 7.0)));
+  ASSERT_TRUE(collected.reach(8));
+  for (const auto& sample : collected.samples()) {
+    EXPECT_FALSE(sample.hasMotion());
+    ASSERT_TRUE(sample.accelerometer && sample.gyroscope);
+    EXPECT_EQ(*sample.accelerometer, Vector3d(7.0, 8.0, 9.0));
+    EXPECT_EQ(*sample.gyroscope, Vector3d(1.0, 2.0, 3.0));
+  }
+}
+
 TEST(Foxglove, SurvivesDamagedMessages) {
   FakeBridge bridge("foxglove.websocket.v1", [](FakeBridge& self) { self.sendText(kAdvertise); }, {});
   Collected collected;
@@ -233,6 +331,32 @@ TEST(Rosbridge, NaNAndOtherOrdersOfNamesAreRead) {
   EXPECT_EQ(source->status().malformed, 0u);
   EXPECT_EQ((*collected.samples()[0].q)[0], 12.0);
   EXPECT_FALSE(collected.samples()[0].dq);
+}
+
+TEST(Rosbridge, TransformsAndAnInertialSensorAreRead) {
+  FakeBridge bridge("", {}, [](FakeBridge& self, const std::string& text) {
+    if (text.find("/rosapi/topics") == std::string::npos) return;
+    self.sendText(
+        R"({"op":"service_response","service":"/rosapi/topics","result":true,"values":{"topics":["/tf","/hand/imu"],)"
+        R"("types":["tf2_msgs/TFMessage","sensor_msgs/Imu"]}})");
+  });
+  Collected collected;
+  const auto source = makeRosbridgeSource("127.0.0.1", bridge.port(), {});
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  ASSERT_TRUE(eventually([&] { return bridge.texts().size() == 3; }));
+  for (int k = 0; k < 30; ++k)
+    bridge.sendText(R"({"op":"publish","topic":"/tf","msg":)" + transformsJson(0.4, k) + "}");
+  ASSERT_TRUE(collected.reach(12));
+  expectTheTool(collected);
+  const auto before = collected.samples().size();
+  bridge.sendText(R"({"op":"publish","topic":"/hand/imu","msg":{"orientation":{"x":0,"y":0,"z":0,"w":1},)"
+                  R"("angular_velocity":{"x":null,"y":0,"z":0},"linear_acceleration":{"x":1,"y":2,"z":9.5}}})");
+  ASSERT_TRUE(collected.reach(before + 1));
+  const auto felt = collected.samples().back();
+  EXPECT_FALSE(felt.orientation);
+  ASSERT_TRUE(felt.accelerometer);
+  EXPECT_EQ(*felt.accelerometer, Vector3d(1.0, 2.0, 9.5));
+  EXPECT_FALSE(felt.gyroscope);  // one of its numbers is none
 }
 
 TEST(Rosbridge, SurvivesDamagedMessages) {

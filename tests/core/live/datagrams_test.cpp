@@ -220,5 +220,29 @@ TEST(JsonUdp, APortInUseIsAnError) {
   EXPECT_EQ(source->status().state, LinkState::failed);
 }
 
+TEST(JsonUdp, AnAccelerometerComesAlong) {
+  const auto port = [] {
+    auto socket = UdpSocket::listening("127.0.0.1", 0);
+    return socket->port();
+  }();
+  Collected collected;
+  const auto source = makeJsonUdpSource("127.0.0.1", port);
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  auto sender = UdpSocket::connected("127.0.0.1", port);
+  ASSERT_TRUE(sender.ok());
+  for (int k = 0; k < 20; ++k)
+    sender->send(fmt::format(R"({{"time":{},"qx":0,"qy":0,"qz":0,"qw":1,"fx":1,"fy":2,"fz":3,"tx":0,"ty":0,"tz":0,)"
+                             R"("ax":0.5,"ay":{},"az":9.8,"imu_wx":0.1,"imu_wy":0.2,"imu_wz":0.3}})",
+                             0.01 * k, k == 12 ? "null" : "1"));
+  ASSERT_TRUE(collected.reach(6));
+  for (const auto& sample : collected.samples()) {
+    ASSERT_TRUE(sample.orientation && sample.wrench);
+    if (!sample.accelerometer) continue;
+    EXPECT_EQ(*sample.accelerometer, Vector3d(0.5, 1.0, 9.8));
+    EXPECT_EQ(*sample.gyroscope, Vector3d(0.1, 0.2, 0.3));
+  }
+  EXPECT_TRUE(collected.samples().back().accelerometer);
+}
+
 }  // namespace
 }  // namespace heft

@@ -72,6 +72,40 @@ TEST(Merger, NothingIsInventedAcrossAGap) {
   EXPECT_GT(merger.unmatched(), 150u);
 }
 
+LiveSample feltAt(double t, double noise) {
+  LiveSample out;
+  out.time = t;
+  out.accelerometer = Vector3d(t + noise, 2.0 * t, 9.81);
+  return out;
+}
+
+/// An inertial sensor that sends five times as often is averaged; one that falls silent holds nothing up.
+TEST(Merger, AnInertialSensorOfItsOwnIsJoinedIn) {
+  StreamMerger merger;
+  std::vector<LiveSample> out;
+  for (int k = 0; k < 3000; ++k) {
+    const double t = 0.001 * k;
+    merger.add(wrenchSampleAt(t), out);
+    if (k % 10 == 5) merger.add(motionAt(t), out);
+    if (k % 2 == 0 && k < 2000) merger.add(feltAt(t, k % 4 == 0 ? 0.1 : -0.1), out);
+  }
+  std::size_t with = 0;
+  for (const auto& sample : out) {
+    with += sample.accelerometer ? 1 : 0;
+    if (sample.time > 0.05 && sample.time < 1.98) {
+      ASSERT_TRUE(sample.accelerometer) << sample.time;
+      EXPECT_NEAR(sample.accelerometer->y(), 2.0 * sample.time, 0.005);
+      EXPECT_NEAR(sample.accelerometer->x(), sample.time, 0.04) << "the mean of five, not one of them";
+    }
+    if (sample.time > 2.01) {
+      EXPECT_FALSE(sample.accelerometer) << sample.time;
+    }
+  }
+  EXPECT_GT(with, 190u);
+  EXPECT_GT(out.size(), 295u);
+  EXPECT_LT(merger.unmatched(), 5u);
+}
+
 TEST(Merger, LateAndRepeatedPartsAreCounted) {
   StreamMerger merger;
   std::vector<LiveSample> out;

@@ -58,6 +58,35 @@ TEST_F(LiveRecording, IsAPlainRecordingBitByBit) {
   }
 }
 
+/// What comes a moment later than the first sample still has its columns: an inertial sensor, and joints after poses.
+TEST_F(LiveRecording, TheFirstMomentDecidesNotTheFirstSample) {
+  const auto file = folder_ / "felt.csv";
+  {
+    auto recorder = Recorder::create(file, panda());
+    ASSERT_TRUE(recorder.ok()) << recorder.error().message;
+    LiveSample pose = sampleAt(999.9);
+    pose.q.reset();
+    pose.orientation = Quaterniond::Identity();
+    EXPECT_TRUE(recorder->add(pose));
+    for (int k = 0; k < 100; ++k) {
+      LiveSample sample = sampleAt(1000.0 + 0.01 * k);
+      if (k > 0 && k != 50) {
+        sample.accelerometer = Vector3d(0.1 * k, 2.0, 9.81);
+        sample.gyroscope = Vector3d(0.01 * k, 0.0, 0.3);
+      }
+      EXPECT_TRUE(recorder->add(sample));
+    }
+  }
+  const auto read = readRecording(file);
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  ASSERT_GE(read->recording.rows(), 98);
+  EXPECT_TRUE(read->recording.hasJoints());
+  EXPECT_FALSE(read->recording.hasOrientation());
+  const std::string text = InFolder::read(file);
+  EXPECT_THAT(text, ::testing::HasSubstr("fx,fy,fz,tx,ty,tz,ax,ay,az,imu_wx,imu_wy,imu_wz\n"));
+  EXPECT_THAT(text, ::testing::HasSubstr(",4,2,9.81,0.4,0,0.3\n"));
+}
+
 TEST_F(LiveRecording, NeverReplacesAFile) {
   write("live.csv", "mine");
   EXPECT_FALSE(Recorder::create(folder_ / "live.csv", panda()).ok());

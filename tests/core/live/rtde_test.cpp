@@ -1,6 +1,9 @@
 // Universal Robots over RTDE, against a server made after the protocol's description.
+#include <cmath>
+#include <cstring>
 #include <random>
 
+#include "core/live/rtde_protocol.h"
 #include "core/live/session.h"
 #include "core/live/sources.h"
 #include "tests/core/live/collected.h"
@@ -11,6 +14,50 @@ namespace {
 
 using namespace testing_support;
 using ::testing::HasSubstr;
+
+/// Packages are found wherever the bytes were cut; what is no number is left out and never taken for zero.
+TEST(RtdeProtocol, ReadsPackagesInPieces) {
+  const std::vector<std::string> outputs = {"timestamp", "actual_q", "actual_qd", "payload"};
+  std::string row("\7", 1);
+  const auto number = [&](double value) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof(bits));
+    for (int shift = 56; shift >= 0; shift -= 8) row += static_cast<char>(bits >> shift & 0xFF);
+  };
+  number(3.5);
+  for (int j = 0; j < 6; ++j) number(0.5 * j);
+  for (int j = 0; j < 6; ++j) number(j == 4 ? std::nan("") : 1.0);
+  number(1.25);
+  const std::string bytes =
+      rtde::package(rtde::kTextMessage, std::string("\2hi\0", 4)) + rtde::package(rtde::kData, row);
+  for (const std::size_t piece : {1u, 7u, 1000u}) {
+    rtde::PackageReader reader;
+    std::vector<rtde::Received> found;
+    for (std::size_t at = 0; at < bytes.size(); at += piece) {
+      reader.add(std::string_view(bytes).substr(at, piece));
+      while (auto each = reader.next()) found.push_back(*each);
+    }
+    ASSERT_EQ(found.size(), 2u) << piece;
+    EXPECT_EQ(rtde::textOf(found[0].content), "hi");
+    EXPECT_FALSE(rtde::rowOf(found[1].content, {8, outputs})) << "of another recipe";
+    EXPECT_FALSE(rtde::rowOf(found[1].content, {7, {"timestamp"}})) << "of another length";
+    const auto read = rtde::rowOf(found[1].content, {7, outputs});
+    ASSERT_TRUE(read);
+    EXPECT_EQ(rtde::stampOf(*read), 3.5);
+    EXPECT_EQ(rtde::configuredIn(*read)->payload.mass, 1.25);
+    const auto sample = rtde::sampleOf(*read);
+    ASSERT_TRUE(sample && sample->q);
+    EXPECT_EQ((*sample->q)[5], 2.5);
+    EXPECT_FALSE(sample->dq);
+    EXPECT_FALSE(sample->wrench);
+  }
+  rtde::PackageReader lost;
+  lost.add(std::string("\0\1V", 3));
+  EXPECT_FALSE(lost.next());
+  EXPECT_TRUE(lost.broken());
+  EXPECT_EQ(rtde::missingIn("\1DOUBLE,VECTOR6D,NOT_FOUND", outputs),
+            (std::vector<std::string>{"actual_qd", "payload"}));
+}
 
 TEST(Rtde, ReadsJointsWrenchAndPayloadAndWritesNothing) {
   RtdeServer robot({});
