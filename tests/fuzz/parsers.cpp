@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/base/json_file.h"
+#include "core/exporters/controller_file.h"
 #include "core/import/import.h"
 #include "core/import/json_numbers.h"
 #include "core/import/message_definition.h"
@@ -109,6 +110,8 @@ void payload(std::string_view bytes) {
   const auto json = parseJson(bytes, "payload.json");
   if (!json) return;
   (void)partialPayloadFromJson(*json, "payload.json");
+  if (const auto read = controllerPayloadFromJson(*json, "payload.json"))
+    require(std::isfinite(read->mass) && read->com.allFinite() && read->inertiaCom.allFinite());
   if (const auto read = payloadFromJson(*json, "payload.json"))
     require(std::isfinite(read->mass) && read->com.allFinite() && read->inertiaCom.allFinite());
 }
