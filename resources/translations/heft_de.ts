@@ -462,6 +462,105 @@
     </message>
 </context>
 <context>
+    <name>Entry</name>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 N m</source>
+        <translation>%1 N m</translation>
+    </message>
+    <message>
+        <source>A push along it stops the arm at %1 instead of %2, a push against it only at %3.</source>
+        <translation>Ein Stoß in ihrer Richtung hält den Arm bei %1 statt bei %2 an, ein Stoß gegen sie erst bei %3.</translation>
+    </message>
+    <message>
+        <source>Weight: set, estimated</source>
+        <translation>Gewicht: eingestellt, geschätzt</translation>
+    </message>
+    <message>
+        <source>Everything beyond the flange: the tool, and what you said under Export is mounted besides</source>
+        <translation>Alles jenseits des Flanschs: das Werkzeug und was laut „Ausgeben“ außerdem angebaut ist</translation>
+    </message>
+    <message>
+        <source>Distance between the two centres of mass</source>
+        <translation>Abstand der beiden Schwerpunkte</translation>
+    </message>
+    <message>
+        <source>Phantom force</source>
+        <translation>Scheinkraft</translation>
+    </message>
+    <message>
+        <source>The entry is right, as far as this recording can tell.</source>
+        <translation>Der Eintrag stimmt, soweit diese Aufnahme es sagen kann.</translation>
+    </message>
+    <message>
+        <source>What differs lies within the intervals of the estimate.</source>
+        <translation>Was abweicht, liegt innerhalb der Bereiche der Schätzung.</translation>
+    </message>
+    <message>
+        <source>The controller feels up to %1 N m that nobody exerts.</source>
+        <translation>Die Steuerung spürt bis zu %1 N m, die niemand ausübt.</translation>
+    </message>
+    <message>
+        <source>The controller feels up to %1 that nobody exerts.</source>
+        <translation>Die Steuerung spürt bis zu %1, die niemand ausübt.</translation>
+    </message>
+    <message>
+        <source>That is more than the collision threshold of %1: the arm stops although nothing touches it.</source>
+        <translation>Das ist mehr als die Kollisionsschwelle von %1: Der Arm hält an, obwohl ihn nichts berührt.</translation>
+    </message>
+    <message>
+        <source>No centre of mass is set, so the estimated one is used.</source>
+        <translation>Ein Schwerpunkt ist nicht eingestellt, daher gilt der geschätzte.</translation>
+    </message>
+    <message>
+        <source>No inertia is set, so the estimated one is used.</source>
+        <translation>Eine Trägheit ist nicht eingestellt, daher gilt die geschätzte.</translation>
+    </message>
+    <message>
+        <source>No centre of mass and no inertia are set, so the estimated ones are used.</source>
+        <translation>Schwerpunkt und Trägheit sind nicht eingestellt, daher gelten die geschätzten.</translation>
+    </message>
+    <message>
+        <source>With a stiffness of %1 N/m it sinks by %2 when it stands still.</source>
+        <translation>Bei einer Steifigkeit von %1 N/m sinkt er im Stand um %2.</translation>
+    </message>
+    <message>
+        <source>With a stiffness of %1 N/m it rises by %2 when it stands still.</source>
+        <translation>Bei einer Steifigkeit von %1 N/m steigt er im Stand um %2.</translation>
+    </message>
+    <message>
+        <source>%1 N, %2 of the limit</source>
+        <translation>%1 N, %2 der Grenze</translation>
+    </message>
+    <message>
+        <source>For 99 % of this motion it is not larger. The limit is the collision threshold.</source>
+        <translation>In 99 % dieser Bewegung ist sie nicht größer. Die Grenze ist die Kollisionsschwelle.</translation>
+    </message>
+    <message>
+        <source>Phantom torque</source>
+        <translation>Scheinmoment</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3 of the limit</source>
+        <translation>%1 %2, %3 der Grenze</translation>
+    </message>
+    <message>
+        <source>About the flange; for 99 % of this motion it is not larger. The limit is the collision threshold.</source>
+        <translation>Um den Flansch; in 99 % dieser Bewegung ist es nicht größer. Die Grenze ist die Kollisionsschwelle.</translation>
+    </message>
+    <message>
+        <source>Centre off by</source>
+        <translation>Schwerpunkt daneben um</translation>
+    </message>
+</context>
+<context>
     <name>ExportText</name>
     <message>
         <source>Franka profile</source>
@@ -1224,6 +1323,121 @@
     </message>
 </context>
 <context>
+    <name>Passport</name>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Known from</source>
+        <translation>Bekannt aus</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Centre %1</source>
+        <translation>Schwerpunkt %1</translation>
+    </message>
+    <message>
+        <source>Numbers, in the sensor’s axes</source>
+        <translation>Zahlen, in den Achsen des Sensors</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Beweis</translation>
+    </message>
+    <message>
+        <source>These numbers were not proved on another recording.</source>
+        <translation>Diese Zahlen wurden an keiner anderen Aufnahme bewiesen.</translation>
+    </message>
+    <message>
+        <source>Causes of misfit</source>
+        <translation>Ursachen von Abweichungen</translation>
+    </message>
+    <message>
+        <source>Nobody looked.</source>
+        <translation>Niemand hat danach gesucht.</translation>
+    </message>
+    <message>
+        <source>None was found.</source>
+        <translation>Keine wurde gefunden.</translation>
+    </message>
+    <message>
+        <source>It is taken out of the numbers.</source>
+        <translation>Sie ist aus den Zahlen herausgerechnet.</translation>
+    </message>
+    <message>
+        <source>It is not taken out of the numbers.</source>
+        <translation>Sie ist nicht aus den Zahlen herausgerechnet.</translation>
+    </message>
+    <message>
+        <source>Could not have been seen: %1.</source>
+        <translation>Nicht zu sehen gewesen wären: %1.</translation>
+    </message>
+    <message>
+        <source>Since the passport of %1</source>
+        <translation>Seit dem Pass vom %1</translation>
+    </message>
+    <message>
+        <source>The tool has changed, by more than chance.</source>
+        <translation>Das Werkzeug hat sich geändert, mehr als durch Zufall.</translation>
+    </message>
+    <message>
+        <source>Nothing has changed beyond chance.</source>
+        <translation>Nichts hat sich über den Zufall hinaus geändert.</translation>
+    </message>
+    <message>
+        <source>The sensor’s mount is stated otherwise, so the mass alone is compared.</source>
+        <translation>Der Anbau des Sensors ist anders angegeben, daher wird nur die Masse verglichen.</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>geändert</translation>
+    </message>
+    <message>
+        <source>Payload passport: %1</source>
+        <translation>Werkzeugpass: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2. Recording %3.</source>
+        <translation>%1, %2. Aufnahme %3.</translation>
+    </message>
+    <message>
+        <source>These numbers deserve little trust; see the result’s warnings.</source>
+        <translation>Diese Zahlen verdienen wenig Vertrauen; siehe die Warnungen des Ergebnisses.</translation>
+    </message>
+    <message>
+        <source>A passport needs a result.</source>
+        <translation>Ein Pass braucht ein Ergebnis.</translation>
+    </message>
+    <message>
+        <source>%1 exists already and was not replaced.</source>
+        <translation>%1 gibt es schon und wurde nicht ersetzt.</translation>
+    </message>
+</context>
+<context>
     <name>Practice</name>
     <message>
         <source>How to look</source>
@@ -1280,6 +1494,33 @@
     <message>
         <source>Found at once: %1 of %2. With a hint or at the second try: %3.</source>
         <translation>Sofort gefunden: %1 von %2. Mit Hinweis oder im zweiten Versuch: %3.</translation>
+    </message>
+</context>
+<context>
+    <name>Proof</name>
+    <message>
+        <source>Checked on %1.</source>
+        <translation>Geprüft an %1.</translation>
+    </message>
+    <message>
+        <source>Left over in free motion: %1 N and %2 N m; the sensor’s own scatter is %3 N and %4 N m.</source>
+        <translation>In freier Bewegung bleiben %1 N und %2 N m; der Sensor selbst streut mit %3 N und %4 N m.</translation>
+    </message>
+    <message>
+        <source>An error of %1 or %2 %3 would have shown.</source>
+        <translation>Ein Fehler von %1 oder %2 %3 wäre aufgefallen.</translation>
+    </message>
+    <message>
+        <source>PASS: with these numbers taken off, only the sensor’s noise is left.</source>
+        <translation>BESTANDEN: Ohne diese Last bleibt nur das Rauschen des Sensors.</translation>
+    </message>
+    <message>
+        <source>NOT YET</source>
+        <translation>NOCH NICHT</translation>
+    </message>
+    <message>
+        <source>NOT YET: this recording is not sufficient.</source>
+        <translation>NOCH NICHT: Diese Aufnahme reicht nicht aus.</translation>
     </message>
 </context>
 <context>
@@ -2442,6 +2683,18 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>With all causes mass and centre stay the same.</source>
         <translation>Mit allen Ursachen bleiben Masse und Schwerpunkt gleich.</translation>
+    </message>
+    <message>
+        <source>What today’s entry costs</source>
+        <translation>Was der heutige Eintrag kostet</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Beweis</translation>
+    </message>
+    <message>
+        <source>It is of other numbers than these.</source>
+        <translation>Er gilt anderen Zahlen als diesen.</translation>
     </message>
 </context>
 <context>
@@ -8823,6 +9076,42 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The accelerometer reports gravity in place of what is felt (at rest it points down); its signs were turned.</source>
         <translation>Der Beschleunigungssensor meldet die Schwerkraft anstelle dessen, was er spürt (in Ruhe zeigt er nach unten); seine Vorzeichen wurden umgekehrt.</translation>
     </message>
+    <message>
+        <source>What the controller is set to needs a mass of zero or more.</source>
+        <translation>Was in der Steuerung steht, braucht eine Masse von null oder mehr.</translation>
+    </message>
+    <message>
+        <source>{} is no passport: its &quot;schema&quot; should be &quot;{}&quot;.</source>
+        <translation>{} ist kein Pass: „schema“ sollte „{}“ sein.</translation>
+    </message>
+    <message>
+        <source>A passport needs the tool&apos;s name.</source>
+        <translation>Ein Pass braucht den Namen des Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>Nothing in this result can be trusted, so no passport is made of it.</source>
+        <translation>Nichts an diesem Ergebnis ist verlässlich, daher wird kein Pass daraus.</translation>
+    </message>
+    <message>
+        <source>the new passport</source>
+        <translation>der neue Pass</translation>
+    </message>
+    <message>
+        <source>{} is the passport of another tool, &quot;{}&quot;.</source>
+        <translation>{} ist der Pass eines anderen Werkzeugs, „{}“.</translation>
+    </message>
+    <message>
+        <source>{}: mass, centre of mass or inertia is missing or holds something that is no number.</source>
+        <translation>{}: Masse, Schwerpunkt oder Trägheit fehlt oder enthält etwas, das keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>{} holds no payload. Heft reads a Franka Desk end effector, a Franka tool profile, a result of &apos;heft estimate&apos; and a payload with mass_kg, com_m and inertia_com_kgm2.</source>
+        <translation>{} enthält keine Last. Heft liest einen Endeffektor aus Franka Desk, ein Werkzeugprofil von Franka, ein Ergebnis von &apos;heft estimate&apos; und eine Last mit mass_kg, com_m und inertia_com_kgm2.</translation>
+    </message>
+    <message>
+        <source>should be a number above zero</source>
+        <translation>sollte eine Zahl über null sein</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
@@ -9297,6 +9586,131 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
 </context>
 <context>
+    <name>heft::EntryCard</name>
+    <message>
+        <source>Phantom force</source>
+        <translation>Scheinkraft</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>What does today’s entry cost?</source>
+        <translation>Was kostet der heutige Eintrag?</translation>
+    </message>
+    <message>
+        <source>Say what the controller is set to now. Heft then tells which forces it feels that nobody exerts, and what they do.</source>
+        <translation>Sagen Sie, was jetzt in der Steuerung steht. Heft nennt dann die Kräfte, die sie spürt, obwohl niemand sie ausübt, und was sie bewirken.</translation>
+    </message>
+    <message>
+        <source>Change it …</source>
+        <translation>Ändern …</translation>
+    </message>
+    <message>
+        <source>Enter it …</source>
+        <translation>Eingeben …</translation>
+    </message>
+    <message>
+        <source>From a payload file …</source>
+        <translation>Aus einer Lastdatei …</translation>
+    </message>
+    <message>
+        <source>Heft compares it along the motion …</source>
+        <translation>Heft vergleicht ihn entlang der Bewegung …</translation>
+    </message>
+    <message>
+        <source>Set as the recording tells (%1).</source>
+        <translation>Eingestellt, wie es die Aufnahme sagt (%1).</translation>
+    </message>
+    <message>
+        <source>Set as you typed it.</source>
+        <translation>Eingestellt, wie Sie es eingaben.</translation>
+    </message>
+    <message>
+        <source>Set as in %1.</source>
+        <translation>Eingestellt wie in %1.</translation>
+    </message>
+    <message>
+        <source>The arrow on the tool shows the force at the moment shown.</source>
+        <translation>Der Pfeil am Werkzeug zeigt die Kraft im gezeigten Augenblick.</translation>
+    </message>
+    <message>
+        <source>the controller’s entry</source>
+        <translation>Eintrag der Steuerung</translation>
+    </message>
+    <message>
+        <source>What the controller is set to</source>
+        <translation>Was in der Steuerung steht</translation>
+    </message>
+    <message>
+        <source>Payload files (*.json);;All files (*)</source>
+        <translation>Lastdateien (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>controller expects a mass in kg and perhaps a place in mm, a payload file, or off: controller 0.5 at 0,0,40.</source>
+        <translation>controller erwartet eine Masse in kg und vielleicht einen Ort in mm, eine Lastdatei oder off: controller 0.5 at 0,0,40.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::EntryCosts</name>
+    <message>
+        <source>the controller’s entry</source>
+        <translation>Eintrag der Steuerung</translation>
+    </message>
+    <message>
+        <source>Working out what the entry costs</source>
+        <translation>Rechnet aus, was der Eintrag kostet</translation>
+    </message>
+</context>
+<context>
+    <name>heft::EntryDialog</name>
+    <message>
+        <source>What is the controller set to?</source>
+        <translation>Was steht in der Steuerung?</translation>
+    </message>
+    <message>
+        <source>As it stands at the controller, with everything beyond the flange. A weight of 0 means that nothing was entered.</source>
+        <translation>So, wie es in der Steuerung steht, mit allem jenseits des Flanschs. Ein Gewicht von 0 heißt, dass nichts eingegeben wurde.</translation>
+    </message>
+    <message>
+        <source>Centre from the flange, inertia about the centre of mass, along the flange’s axes. What you leave empty is taken as estimated.</source>
+        <translation>Schwerpunkt vom Flansch aus, Trägheit um den Schwerpunkt, entlang der Achsen des Flanschs. Was Sie leer lassen, gilt wie geschätzt.</translation>
+    </message>
+    <message>
+        <source>What it reacts to</source>
+        <translation>Worauf sie reagiert</translation>
+    </message>
+    <message>
+        <source>Collision force [N]</source>
+        <translation>Kollisionskraft [N]</translation>
+    </message>
+    <message>
+        <source>Collision torque [N m]</source>
+        <translation>Kollisionsmoment [N m]</translation>
+    </message>
+    <message>
+        <source>Stiffness of the arm [N/m]</source>
+        <translation>Steifigkeit des Arms [N/m]</translation>
+    </message>
+    <message>
+        <source>At first as in libfranka’s examples: 10 N, 10 N m, 3000 N/m. Your program’s values count.</source>
+        <translation>Zunächst wie in den Beispielen von libfranka: 10 N, 10 N m, 3000 N/m. Es zählen die Werte Ihres Programms.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>The weight is missing.</source>
+        <translation>Das Gewicht fehlt.</translation>
+    </message>
+    <message>
+        <source>%1 should be a number above zero.</source>
+        <translation>%1 sollte eine Zahl über null sein.</translation>
+    </message>
+</context>
+<context>
     <name>heft::ExportPanel</name>
     <message>
         <source>saved as %1</source>
@@ -9717,56 +10131,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Von einer Waage oder aus CAD. Heft vergleicht damit und ändert nichts; lassen Sie leer, was Sie nicht wissen.</translation>
     </message>
     <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>Weight in kg</source>
-        <translation>Gewicht in kg</translation>
-    </message>
-    <message>
-        <source>Weight [kg]</source>
-        <translation>Gewicht [kg]</translation>
-    </message>
-    <message>
-        <source>Centre of mass %1 in mm</source>
-        <translation>Schwerpunkt %1 in mm</translation>
-    </message>
-    <message>
-        <source>Centre x, y, z [mm]</source>
-        <translation>Schwerpunkt x, y, z [mm]</translation>
-    </message>
-    <message>
-        <source>Inertia %1 in kg cm²</source>
-        <translation>Trägheit %1 in kg cm²</translation>
-    </message>
-    <message>
-        <source>Ixx, Iyy, Izz [kg cm²]</source>
-        <translation>Ixx, Iyy, Izz [kg cm²]</translation>
-    </message>
-    <message>
-        <source>Ixy, Ixz, Iyz [kg cm²]</source>
-        <translation>Ixy, Ixz, Iyz [kg cm²]</translation>
-    </message>
-    <message>
         <source>Centre from the sensor’s origin, inertia about the centre of mass, along the sensor’s axes. Products as in the inertia matrix.</source>
         <translation>Schwerpunkt vom Ursprung des Sensors, Trägheit um den Schwerpunkt, entlang der Sensorachsen. Deviationsmomente wie in der Trägheitsmatrix.</translation>
     </message>
     <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
-    </message>
-    <message>
-        <source>The weight should be a number above zero.</source>
-        <translation>Das Gewicht muss eine Zahl über null sein.</translation>
-    </message>
-    <message>
-        <source>The centre needs three numbers, or none.</source>
-        <translation>Der Schwerpunkt braucht drei Zahlen oder keine.</translation>
-    </message>
-    <message>
-        <source>The inertia needs Ixx, Iyy and Izz, or nothing; empty products count as zero.</source>
-        <translation>Die Trägheit braucht Ixx, Iyy und Izz oder nichts; leere Deviationsmomente zählen als null.</translation>
     </message>
 </context>
 <context>
@@ -10604,6 +10974,57 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     </message>
 </context>
 <context>
+    <name>heft::PayloadForm</name>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Weight in kg</source>
+        <translation>Gewicht in kg</translation>
+    </message>
+    <message>
+        <source>Weight [kg]</source>
+        <translation>Gewicht [kg]</translation>
+    </message>
+    <message>
+        <source>Centre of mass %1 in mm</source>
+        <translation>Schwerpunkt %1 in mm</translation>
+    </message>
+    <message>
+        <source>Centre x, y, z [mm]</source>
+        <translation>Schwerpunkt x, y, z [mm]</translation>
+    </message>
+    <message>
+        <source>Inertia %1 in kg cm²</source>
+        <translation>Trägheit %1 in kg cm²</translation>
+    </message>
+    <message>
+        <source>Ixx, Iyy, Izz [kg cm²]</source>
+        <translation>Ixx, Iyy, Izz [kg cm²]</translation>
+    </message>
+    <message>
+        <source>Ixy, Ixz, Iyz [kg cm²]</source>
+        <translation>Ixy, Ixz, Iyz [kg cm²]</translation>
+    </message>
+    <message>
+        <source>The weight should be a number, zero or above.</source>
+        <translation>Das Gewicht muss eine Zahl von null an sein.</translation>
+    </message>
+    <message>
+        <source>The weight should be a number above zero.</source>
+        <translation>Das Gewicht muss eine Zahl über null sein.</translation>
+    </message>
+    <message>
+        <source>The centre needs three numbers, or none.</source>
+        <translation>Der Schwerpunkt braucht drei Zahlen oder keine.</translation>
+    </message>
+    <message>
+        <source>The inertia needs Ixx, Iyy and Izz, or nothing; empty products count as zero.</source>
+        <translation>Die Trägheit braucht Ixx, Iyy und Izz oder nichts; leere Deviationsmomente zählen als null.</translation>
+    </message>
+</context>
+<context>
     <name>heft::PlaceForm</name>
     <message>
         <source>Middle of its near end, from the sensor’s face</source>
@@ -10790,6 +11211,97 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>For the result and the plots. Files keep the units of their format, and lengths that you enter are in mm.</source>
         <translation>Für Ergebnis und Kurven. Dateien behalten die Einheiten ihres Formats; Längen geben Sie in mm ein.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::ProofCard</name>
+    <message>
+        <source>Is it right at the robot?</source>
+        <translation>Stimmt es am Roboter?</translation>
+    </message>
+    <message>
+        <source>Checking the numbers on that recording …</source>
+        <translation>Die Zahlen werden an dieser Aufnahme geprüft …</translation>
+    </message>
+    <message>
+        <source>Enter the file at the controller, guide the tool for ten seconds through all directions, touching nothing, and let Heft check the numbers on that.</source>
+        <translation>Geben Sie die Datei in die Steuerung ein, führen Sie das Werkzeug zehn Sekunden lang durch alle Richtungen, ohne etwas zu berühren, und lassen Sie Heft die Zahlen daran prüfen.</translation>
+    </message>
+    <message>
+        <source>The numbers have changed since; prove them again.</source>
+        <translation>Die Zahlen haben sich seither geändert; beweisen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>Prove on what comes in</source>
+        <translation>Am laufenden Strom beweisen</translation>
+    </message>
+    <message>
+        <source>Prove on a recording …</source>
+        <translation>An einer Aufnahme beweisen …</translation>
+    </message>
+    <message>
+        <source>Tool passport …</source>
+        <translation>Werkzeugpass …</translation>
+    </message>
+    <message>
+        <source>Prove needs a result.</source>
+        <translation>Beweisen braucht ein Ergebnis.</translation>
+    </message>
+    <message>
+        <source>The numbers come from %1 itself: prove them on another recording.</source>
+        <translation>Die Zahlen stammen aus %1 selbst: Beweisen Sie sie an einer anderen Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Proving the numbers</source>
+        <translation>Die Zahlen werden bewiesen</translation>
+    </message>
+    <message>
+        <source>Nothing comes in: start listening to the robot under Record, then guide the tool.</source>
+        <translation>Es kommt nichts an: Hören Sie unter „Aufnehmen“ dem Roboter zu und führen Sie dann das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Prove on a recording</source>
+        <translation>An einer Aufnahme beweisen</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Tool passport</source>
+        <translation>Werkzeugpass</translation>
+    </message>
+    <message>
+        <source>What is the tool called?</source>
+        <translation>Wie heißt das Werkzeug?</translation>
+    </message>
+    <message>
+        <source>Save the passport</source>
+        <translation>Den Pass speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Saved %1, compared with %2.</source>
+        <translation>%1 gespeichert, verglichen mit %2.</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>prove expects a recording, or live: prove check.csv.</source>
+        <translation>prove erwartet eine Aufnahme oder live: prove check.csv.</translation>
+    </message>
+    <message>
+        <source>passport expects a file, and may end in tool NAME, since FILE, replace: passport gripper.pdf tool Gripper since old.json.</source>
+        <translation>passport erwartet eine Datei und darf mit tool NAME, since DATEI, replace enden: passport gripper.pdf tool Gripper since old.json.</translation>
     </message>
 </context>
 <context>
@@ -11805,6 +12317,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>no weight yet</source>
         <translation>noch kein Gewicht</translation>
+    </message>
+    <message>
+        <source>What the controller is &amp;set to …</source>
+        <translation>Was in der &amp;Steuerung steht …</translation>
     </message>
 </context>
 <context>
