@@ -9112,6 +9112,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>should be a number above zero</source>
         <translation>sollte eine Zahl über null sein</translation>
     </message>
+    <message>
+        <source>What a fault would do is shown along a motion, not in standing poses.</source>
+        <translation>Was ein Fehler täte, zeigt sich in einer Bewegung, nicht in Haltungen.</translation>
+    </message>
+    <message>
+        <source>Too little free motion is left to show what a fault would do.</source>
+        <translation>Es bleibt zu wenig freie Bewegung, um zu zeigen, was ein Fehler täte.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
@@ -11622,6 +11630,30 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>shows best here</source>
         <translation>hier am besten zu sehen</translation>
     </message>
+    <message>
+        <source>Drag a slider; the recording stays as it is</source>
+        <translation>Ziehen Sie einen Regler; die Aufnahme bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>What if …?</source>
+        <translation>Was wäre, wenn …?</translation>
+    </message>
+    <message>
+        <source>All off</source>
+        <translation>Alle aus</translation>
+    </message>
+    <message>
+        <source>&amp;What if …?</source>
+        <translation>&amp;Was wäre, wenn …?</translation>
+    </message>
+    <message>
+        <source>Move one slider: the curves and the numbers below the arm follow your hand. The recording stays as it is.</source>
+        <translation>Ziehen Sie einen Regler: Kurven und Zahlen unter dem Arm folgen Ihrer Hand. Die Aufnahme bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Back to the check</source>
+        <translation>Zurück zur Prüfung</translation>
+    </message>
 </context>
 <context>
     <name>heft::RecordPanel</name>
@@ -13547,6 +13579,104 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>“%1” is no weight: type a number such as 0.8 kg or 800 g, or leave it empty.</source>
         <translation>„%1“ ist kein Gewicht: Schreiben Sie eine Zahl wie 0,8 kg oder 800 g, oder lassen Sie das Feld leer.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::WhatIfKnobs</name>
+    <message>
+        <source>Open a recording first.</source>
+        <translation>Öffnen Sie zuerst eine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>This motion shows it from %1 on.</source>
+        <translation>Diese Bewegung zeigt es ab %1.</translation>
+    </message>
+    <message>
+        <source>This motion does not show it.</source>
+        <translation>Diese Bewegung zeigt es nicht.</translation>
+    </message>
+    <message>
+        <source>%1 goes from 0 to %2.</source>
+        <translation>%1 geht von 0 bis %2.</translation>
+    </message>
+    <message>
+        <source>whatif needs an open recording.</source>
+        <translation>whatif braucht eine offene Aufnahme.</translation>
+    </message>
+    <message>
+        <source>whatif expects on, off, or causes with their sizes: whatif time_offset 12.</source>
+        <translation>whatif erwartet on, off oder Ursachen mit ihren Größen: whatif time_offset 12.</translation>
+    </message>
+    <message>
+        <source>The sliders are being made ready …</source>
+        <translation>Die Regler werden vorbereitet …</translation>
+    </message>
+    <message>
+        <source>Making the sliders ready</source>
+        <translation>Regler werden vorbereitet</translation>
+    </message>
+    <message>
+        <source>There is no slider %1 on this recording.</source>
+        <translation>Für diese Aufnahme gibt es keinen Regler %1.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::WhatIfPane</name>
+    <message>
+        <source>Centre %1</source>
+        <translation>Schwerpunkt %1</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>What if …?</source>
+        <translation>Was wäre, wenn …?</translation>
+    </message>
+    <message>
+        <source>Back to the reality check</source>
+        <translation>Zurück zur Realitätsprüfung</translation>
+    </message>
+    <message>
+        <source>was %1</source>
+        <translation>vorher %1</translation>
+    </message>
+    <message>
+        <source>Force left over [N]</source>
+        <translation>Übrige Kraft [N]</translation>
+    </message>
+    <message>
+        <source>Torque left over [N m]</source>
+        <translation>Übriges Drehmoment [N m]</translation>
+    </message>
+    <message>
+        <source>No fault is on: this is the recording as it is.</source>
+        <translation>Kein Fehler ist an: So ist die Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Nobody would see it in this motion, and the numbers are wrong all the same.</source>
+        <translation>In dieser Bewegung sähe es niemand, und die Zahlen sind trotzdem falsch.</translation>
+    </message>
+    <message>
+        <source>Nobody would see it in this motion, and it does no harm.</source>
+        <translation>In dieser Bewegung sähe es niemand, und es schadet nicht.</translation>
+    </message>
+    <message>
+        <source>It would be seen: %1 N and %2 N m are left over, %3 N and %4 N m without it.</source>
+        <translation>Man sähe es: %1 N und %2 N m bleiben übrig, ohne den Fehler %3 N und %4 N m.</translation>
+    </message>
+    <message>
+        <source>Nothing else looks like it: “%1” explains %2 % of it at most.</source>
+        <translation>Nichts anderes sieht so aus: „%1“ erklärt davon höchstens %2 %.</translation>
+    </message>
+    <message>
+        <source>It looks like “%1” %2: that explains %3 % of it. To decide: %4</source>
+        <translation>Es sieht aus wie „%1“ %2: Das erklärt %3 % davon. Zum Entscheiden: %4</translation>
     </message>
 </context>
 <context>

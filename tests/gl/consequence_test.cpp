@@ -3,10 +3,11 @@
 
 #include <QAbstractButton>
 #include <QLabel>
+#include <QSlider>
 
 #include "tests/gl/window_fixture.h"
-#include "ui/controller/entry_costs.h"
-#include "ui/controller/only_child.h"
+#include "ui/charts/chart.h"
+#include "ui/reality_panel/what_if_pane.h"
 
 namespace heft {
 namespace {
@@ -84,6 +85,28 @@ TEST_F(ConsequenceTest, NumbersAreProvedOnWhatComesIn) {
   tell(Step::record, {"live", "discard"});
   for (auto* button : window.panel(Step::exportFile)->findChildren<QAbstractButton*>("linkButton"))
     EXPECT_FALSE(button->property("role") == "proveLive" && button->isVisible());
+}
+
+TEST_F(ConsequenceTest, AFaultIsTurnedByKeyAndTheCurvesBelowTheArmFollow) {
+  open(simulated("rec", 4));
+  window.showStep(Step::realityCheck);
+  tell(Step::realityCheck, {"whatif", "on"});
+  auto* pane = window.panel(Step::realityCheck)->ownPane()->findChild<WhatIfPane*>();
+  ASSERT_TRUE(pane && pane->isVisible());
+  auto* slider = window.panel(Step::realityCheck)->findChild<QSlider*>("knob_time_offset");
+  ASSERT_TRUE(slider && slider->isVisible());
+  auto* chart = pane->findChildren<ChartWidget*>()[0];
+  const QVector<QPointF> calm = chart->chart().curves[0].points;
+  slider->setFocus();
+  for (int i = 0; i < 5; ++i) QTest::keyClick(slider, Qt::Key_PageUp);
+  EXPECT_EQ(slider->value(), 50);
+  EXPECT_NE(chart->chart().curves[0].points, calm);
+  EXPECT_TRUE(pane->findChild<QLabel*>("whatIfVerdict")->text().contains("It would be seen"));
+  // Closing the pane leads back to the cards.
+  pane->findChild<QAbstractButton*>("closeWhatIf")->click();
+  settle();
+  EXPECT_FALSE(pane->isVisible());
+  EXPECT_EQ(window.panel(Step::realityCheck)->findChild<QSlider*>("knob_time_offset"), nullptr);
 }
 
 }  // namespace

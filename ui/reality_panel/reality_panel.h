@@ -13,12 +13,14 @@
 #include "ui/steps/step_panel.h"
 
 class QProgressBar;
+class QStackedWidget;
 class QVBoxLayout;
 
 namespace heft {
 
 class DecidingMotion;
 class DifferencePane;
+class WhatIfKnobs;
 struct CardActions;
 struct OpenRecording;
 
@@ -32,7 +34,7 @@ class RealityPanel : public StepPanel {
   void entered() override;
   void left() override;
   void setDetailsShown(bool shown) override;
-  Below below() const override { return looking_ && found() ? Below::own : Below::plots; }
+  Below below() const override;
   QWidget* ownPane() override;
   double viewShare() const override { return 0.5; }
   QString hint() const override;
@@ -57,6 +59,7 @@ class RealityPanel : public StepPanel {
   using Found = RealityFindings::Found;
   void refresh();
   void showWaiting();
+  void showKnobs();
   void showReport(const Found& found);
   Found* found();
   const Found* found() const;
@@ -83,6 +86,8 @@ class RealityPanel : public StepPanel {
 
   JobRunner jobs_;
   DifferencePane* pane_;
+  WhatIfKnobs* whatIf_;
+  QStackedWidget* panes_;             ///< The difference, or what the knobs do
   DecidingMotion* motion_ = nullptr;  ///< Null without a 3D view.
   QProgressBar* bar_ = nullptr;       ///< While looking; of the page.
   RealityFindings* findings_;

@@ -2,6 +2,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QProgressBar>
+#include <QStackedWidget>
 #include <QPushButton>
 #include <QRandomGenerator>
 #include <QVBoxLayout>
@@ -18,6 +19,8 @@
 #include "ui/reality_panel/practice.h"
 #include "ui/reality_panel/reality_page.h"
 #include "ui/reality_panel/reality_panel.h"
+#include "ui/reality_panel/what_if_knobs.h"
+#include "ui/reality_panel/what_if_pane.h"
 #include "ui/wrench_plots/recording_pane.h"
 
 namespace heft {
@@ -43,11 +46,23 @@ void RealityPanel::showWaiting() {
   });
 }
 
+void RealityPanel::showKnobs() {
+  QVBoxLayout* column = page()->restart(
+      tr("What if …?"),
+      tr("Move one slider: the curves and the numbers below the arm follow your hand. The recording stays "
+         "as it is."));
+  whatIf_->addTo(column, page()->content());
+  column->addStretch(1);
+  page()->setMainButton(tr("Back to the check"), [this] { whatIf_->setOn(false); });
+  page()->setSecondButton(tr("All off"), [this] { whatIf_->allOff(); });
+}
+
 void RealityPanel::refresh() {
   bar_ = nullptr;
   const auto opened = workspace().opened();
   const int position = page()->scrollPosition();
   pane_->showReport(report(), witnesses(), riddle());
+  panes_->setCurrentWidget(whatIf_->on() ? static_cast<QWidget*>(whatIf_->pane()) : pane_);
   arrange();
   markPull();
   page()->setSecondButton({});
@@ -58,6 +73,9 @@ void RealityPanel::refresh() {
                   tr("Open a recording first, or take one from the menu Practice."))
         ->addStretch(1);
     page()->setMainButton(tr("Go to Record"), [this] { parts().goTo(Step::record); });
+  } else if (whatIf_->on()) {
+    showKnobs();
+    page()->setScrollPosition(position);
   } else if (riddle()) {
     QVBoxLayout* column = page()->restart(tr("What is wrong with this recording?"),
                                           tr("One fault of the rig is hidden in it. Look, then guess."));
@@ -72,6 +90,7 @@ void RealityPanel::refresh() {
                does);
     column->addStretch(1);
     page()->setMainButton({});
+    page()->setSecondButton(tr("What if …?"), [this] { whatIf_->setOn(true); });
   } else if (jobs_.running()) {
     showWaiting();
   } else if (!found()) {
@@ -85,6 +104,7 @@ void RealityPanel::refresh() {
     page()->setMainButton(tr("Look for causes"), [this] { diagnose(); });
   } else {
     showReport(*found());
+    if (!isOfPoses()) page()->setSecondButton(tr("What if …?"), [this] { whatIf_->setOn(true); });
     page()->setScrollPosition(position);
   }
   emit stateChanged();

@@ -45,6 +45,8 @@ std::string ScriptRunner::help() {
          "  look plots|time|frequency|motion [WITNESS]\n"
          "  meta FILE [replace]               the corrected meta file that the causes ask for\n"
          "  report FILE [replace]             of the whole session, .html or .pdf\n"
+         "  whatif CAUSE SIZE ... | whatif on|off\n"
+         "                                    what a fault of that size would do to the open recording\n"
          "  practice NUMBER | guess CAUSE     a recording with a hidden fault\n"
          "  mark FROM TO LABEL                free, contact, ignore or suggested\n"
          "  accept                            accept all suggested marks\n"
