@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextStream>
 
 #include "core/recording/csv_reader.h"
 #include "core/robot/robot_model.h"
@@ -124,6 +125,41 @@ TEST_F(EntryCardTest, AnotherFormatOfTheExportCostsNothingNew) {
   workspace.setExport(choice, "part");
   settle();
   EXPECT_NEAR(costs()->cost()->weight - cost->weight, 0.2 * 9.81, 1e-6);
+}
+
+TEST_F(EntryCardTest, WhatTheRecordingTellsNeedsNotBeTyped) {
+  const Recording recording = workspace.opened()->recording;
+  const QString path = folder.filePath("log.csv");
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  QTextStream out(&file);
+  out << "state.time";
+  for (int i = 0; i < 7; ++i) out << ",state.q[" << i << "]";
+  for (const char* name : {"force.x", "force.y", "force.z", "torque.x", "torque.y", "torque.z"})
+    out << ",wrench." << name;
+  out << ",state.m_total,state.F_x_Ctotal[0],state.F_x_Ctotal[1],state.F_x_Ctotal[2]\n";
+  out.setRealNumberPrecision(12);
+  for (Eigen::Index k = 0; k < recording.rows(); ++k) {
+    out << recording.time(k);
+    for (int i = 0; i < 7; ++i) out << ',' << recording.q(k, i);
+    for (int c = 0; c < 6; ++c) out << ',' << recording.wrench(k, c);
+    out << ",0.6,0,0,0.1\n";
+  }
+  out.flush();
+  file.close();
+  ASSERT_TRUE(QFile::copy(folder.filePath("rec.meta.json"), folder.filePath("log.meta.json")));
+  workspace.open(path);
+  settle();
+  ASSERT_TRUE(workspace.report());
+  ASSERT_TRUE(costs()->cost()) << costs()->failure().toStdString();
+  EXPECT_TRUE(costs()->entry()->byRecording);
+  EXPECT_NEAR(costs()->cost()->weight, 0.2 * 9.81, 0.1);
+  EXPECT_TRUE(texts().contains("Set as the recording tells (m_total).")) << texts().toStdString();
+  // What somebody typed counts more, and taking it back leads to the recording's again.
+  tell({"controller", "0.8"});
+  EXPECT_FALSE(costs()->entry()->byRecording);
+  tell({"controller", "off"});
+  EXPECT_TRUE(costs()->entry()->byRecording);
 }
 
 TEST_F(EntryCardTest, WhatTheScriptCannotReadIsSaid) {

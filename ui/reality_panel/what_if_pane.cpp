@@ -144,7 +144,7 @@ void WhatIfPane::showNumbers(const WhatIfState& calm, const WhatIfState& state, 
 void WhatIfPane::showCurves(const WhatIfState& calm, const WhatIfState& state) {
   using C = ChartCurve::Colour;
   constexpr C colours[] = {C::x, C::y, C::z};
-  const Eigen::Index stride = std::max<Eigen::Index>(1, state.time.size() / kMostPoints);
+  const Eigen::Index stride = std::max<Eigen::Index>(1, (state.time.size() + kMostPoints - 1) / kMostPoints);
   for (int kind = 0; kind < 2; ++kind) {
     Chart chart;
     chart.yTitle = kind == 0 ? tr("Force left over [N]") : tr("Torque left over [N m]");
