@@ -18,7 +18,8 @@ using namespace diagnosis;
 namespace {
 
 /// Position 1 of a knob, in the realistic sizes that the catalogue gives: 5 ms of delay each, for instance.
-constexpr double kReach = 4.0;
+constexpr double kReach = 5.0;
+constexpr double kNeverSeen = 1e6;  // Position: what does nothing at all
 /// [s] at both ends of a recording, where smoothing knows less, as in a check on another recording.
 constexpr double kEnds = 0.3;
 /// Look-alikes that are taken at their own size, how often, and up to which position.
@@ -80,48 +81,55 @@ struct WhatIf::Parts {
   std::optional<WhatIfState::LookAlike> lookAlikeOf(const VectorXd& left, const std::vector<double>& positions) const;
 };
 
-/// Of the cause's simplest form, where that does anything here.
+/// The cause's main parameter is the first that says how much of it there is. Where it has that along several axes, in
+/// several channels or joints, the one counts that this motion shows best.
 void WhatIf::Parts::addKnob(const Cause& cause) {
+  std::optional<Parameter> main;
+  std::size_t length = 0;
+  double most = -1.0;
+  Knob best;
+  Term off;
+  VectorXd print;
+  Eigen::Index turn = 0;
   for (const Form& form : cause.forms(signals)) {
-    if (form.later || form.walk || form.guide || form.scan.empty()) continue;
-    Term off{std::make_shared<const Form>(form), form.start, {}};
-    if (form.local) off.v(0) = signals.startTime + 0.5 * signals.duration();
-    double most = 0.0;
-    Knob best;
-    VectorXd print;
-    Eigen::Index turn = 0;
+    if (form.later || form.walk || form.guide || (main && form.parameters.size() != length)) continue;
+    Term start{std::make_shared<const Form>(form), form.start, {}};
+    if (form.local) start.v(0) = signals.startTime + 0.5 * signals.duration();
     for (const int p : form.scan) {
       const Parameter& parameter = form.parameters[static_cast<std::size_t>(p)];
       if (!parameter.saysHowMuch || (form.local && p == 0)) continue;
-      const double start = off.v(p);
-      const bool up = parameter.upper > start;
-      const double full = up ? std::min(kReach * parameter.size, parameter.upper - start)
-                             : std::max(-kReach * parameter.size, parameter.lower - start);
-      Term on = off;
+      if (main && (parameter.unit != main->unit || parameter.size != main->size)) continue;
+      const double from = start.v(p);
+      const double full = parameter.upper > from ? std::min(kReach * parameter.size, parameter.upper - from)
+                                                 : std::max(-kReach * parameter.size, parameter.lower - from);
+      Term on = start;
       on.v(p) += full;
       const Wrenches effect = effectOf({on});
       if (!effect.allFinite()) continue;
+      main = parameter;
+      length = form.parameters.size();
       VectorXd left = leftOf(whitenedOf(effect));
-      // What no motion shows still has its knob: it moves, and nothing else does.
-      if (print.size() > 0 && left.squaredNorm() <= most) continue;
-      most = left.squaredNorm();
+      const double squares = left.squaredNorm();
+      if (squares <= most) continue;
+      most = squares;
       best = {std::string(cause.id()),
               parameter.name,
               parameter.unit,
               std::abs(parameter.scale * full),
               parameter.reported,
               full,
-              most > 0.0 ? std::sqrt(needed / most) : 2.0};
+              std::min(kNeverSeen, std::sqrt(needed / std::max(squares, 1e-12)))};
+      off = start;
       print = std::move(left);
       turn = p;
     }
-    if (print.size() == 0) continue;
-    knobs.push_back(std::move(best));
-    terms.push_back(std::move(off));
-    turns.push_back(turn);
-    prints.push_back(std::move(print));
-    return;
   }
+  // What no motion shows still has its knob: it moves, and nothing else does.
+  if (!main) return;
+  knobs.push_back(std::move(best));
+  terms.push_back(std::move(off));
+  turns.push_back(turn);
+  prints.push_back(std::move(print));
 }
 
 std::optional<WhatIfState::LookAlike> WhatIf::Parts::lookAlikeOf(const VectorXd& left,

@@ -98,7 +98,7 @@ TEST_F(WhatIfTest, TheNumbersAndTheVerdictFollowTheHandAndComeBack) {
 
 TEST_F(WhatIfTest, AllOffAndBackLeaveEverythingAsItWas) {
   tell({"whatif", "time_offset", "12", "cable_pull", "2"});
-  EXPECT_EQ(slider("time_offset")->value(), 60);
+  EXPECT_EQ(slider("time_offset")->value(), 48);
   EXPECT_GT(slider("cable_pull")->value(), 0);
   for (const char* name : {"secondButton", "mainButton"}) {
     auto* button = panel->findChild<QPushButton*>(name);
