@@ -9120,6 +9120,66 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Too little free motion is left to show what a fault would do.</source>
         <translation>Es bleibt zu wenig freie Bewegung, um zu zeigen, was ein Fehler täte.</translation>
     </message>
+    <message>
+        <source>{} is no lesson: its &quot;schema&quot; should be &quot;{}&quot;.</source>
+        <translation>{} ist keine Lektion: „schema“ sollte „{}“ sein.</translation>
+    </message>
+    <message>
+        <source>{}: &quot;{}&quot; {}.</source>
+        <translation>{}: „{}“ {}.</translation>
+    </message>
+    <message>
+        <source>should be a text, or one for each language with &quot;en&quot; among them</source>
+        <translation>sollte ein Text sein, oder einer je Sprache, darunter „en“</translation>
+    </message>
+    <message>
+        <source>should be a number above 0, up to {}</source>
+        <translation>sollte eine Zahl über 0 und bis {} sein</translation>
+    </message>
+    <message>
+        <source>should be an object with &quot;say&quot;</source>
+        <translation>sollte ein Objekt mit „say“ sein</translation>
+    </message>
+    <message>
+        <source>should hold causes and their sizes</source>
+        <translation>sollte Ursachen und ihre Größen enthalten</translation>
+    </message>
+    <message>
+        <source>should be a number from 0</source>
+        <translation>sollte eine Zahl ab 0 sein</translation>
+    </message>
+    <message>
+        <source>should be a list of causes</source>
+        <translation>sollte eine Liste von Ursachen sein</translation>
+    </message>
+    <message>
+        <source>should be an object with &quot;say&quot; and &quot;because&quot;</source>
+        <translation>sollte ein Objekt mit „say“ und „because“ sein</translation>
+    </message>
+    <message>
+        <source>should be an object with motion, seed ...</source>
+        <translation>sollte ein Objekt mit motion, seed ... sein</translation>
+    </message>
+    <message>
+        <source>should be a motion of &apos;heft simulate&apos;: free, excitation ...</source>
+        <translation>sollte eine Bewegung von &apos;heft simulate&apos; sein: free, excitation ...</translation>
+    </message>
+    <message>
+        <source>cannot exist: {}</source>
+        <translation>kann es nicht geben: {}</translation>
+    </message>
+    <message>
+        <source>should be a list of 1 to {} steps</source>
+        <translation>sollte eine Liste von 1 bis {} Schritten sein</translation>
+    </message>
+    <message>
+        <source>should be a list of 2 to {} answers</source>
+        <translation>sollte eine Liste von 2 bis {} Antworten sein</translation>
+    </message>
+    <message>
+        <source>should have one that is &quot;right&quot;: true</source>
+        <translation>sollte genau eine mit „right“: true enthalten</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
@@ -10156,6 +10216,49 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Show %1</source>
         <translation>%1 zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>heft::LessonGuide</name>
+    <message>
+        <source>Making the lesson’s recording</source>
+        <translation>Die Aufnahme der Lektion wird gemacht</translation>
+    </message>
+    <message>
+        <source>Yes.</source>
+        <translation>Ja.</translation>
+    </message>
+    <message>
+        <source>Look once more.</source>
+        <translation>Sehen Sie noch einmal hin.</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>&amp;Lektionen</translation>
+    </message>
+    <message>
+        <source>From a &amp;file …</source>
+        <translation>Aus einer &amp;Datei …</translation>
+    </message>
+    <message>
+        <source>Open a lesson</source>
+        <translation>Eine Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons (*.json);;All files (*)</source>
+        <translation>Lektionen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>lesson expects a number, a file, next, back, answer NUMBER or off; answers come after the last step.</source>
+        <translation>lesson erwartet eine Nummer, eine Datei, next, back, answer NUMMER oder off; Antworten kommen nach dem letzten Schritt.</translation>
+    </message>
+    <message>
+        <source>No lesson is under way.</source>
+        <translation>Es läuft keine Lektion.</translation>
+    </message>
+    <message>
+        <source>There is no lesson %1.</source>
+        <translation>Es gibt keine Lektion %1.</translation>
     </message>
 </context>
 <context>
@@ -11653,6 +11756,18 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Back to the check</source>
         <translation>Zurück zur Prüfung</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>End the lesson</source>
+        <translation>Lektion beenden</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
     </message>
 </context>
 <context>

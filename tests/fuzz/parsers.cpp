@@ -21,6 +21,7 @@
 #include "core/payload/shape.h"
 #include "core/recording/csv_reader.h"
 #include "core/robot/robot_model.h"
+#include "core/simulation/lesson.h"
 #include "core/workspace/session.h"
 
 namespace heft::fuzz {
@@ -129,6 +130,10 @@ void session(std::string_view bytes) {
   if (const auto read = parseSession(bytes, "input.heft", "/tmp")) (void)sessionText(*read, "/tmp");
 }
 
+void lesson(std::string_view bytes) {
+  if (const auto read = parseLesson(bytes, "lesson.json")) require(!read->steps.empty() && read->answers.size() > 1);
+}
+
 /// Messages as they come over a WebSocket: each begins with 't' (text) or 'b' (binary) and ends with 0x1E.
 void frames(LiveSource& source, std::string_view bytes) {
   auto& bridge = dynamic_cast<BridgeSource&>(source);
@@ -189,6 +194,7 @@ constexpr Parser kParsers[] = {{"recording", recording},
                                {"map", map},
                                {"shape", shape},
                                {"payload", payload},
+                               {"lesson", lesson},
                                {"urdf", urdf},
                                {"session", session},
                                {"foxglove", foxglove},

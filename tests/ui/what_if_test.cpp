@@ -1,6 +1,7 @@
 // "What if …?" in the reality check: sliders, and what follows them.
 #include <gtest/gtest.h>
 
+#include <QFile>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
@@ -12,6 +13,7 @@
 #include "core/robot/robot_model.h"
 #include "core/simulation/simulate.h"
 #include "ui/controller/workspace.h"
+#include "ui/reality_panel/lesson_guide.h"
 #include "ui/reality_panel/reality_panel.h"
 #include "ui/reality_panel/what_if_knobs.h"
 #include "ui/reality_panel/what_if_pane.h"
@@ -136,6 +138,50 @@ TEST_F(WhatIfTest, AnotherRecordingGetsItsOwnKnobs) {
   ASSERT_NE(slider("time_offset"), nullptr);
   EXPECT_EQ(slider("time_offset")->value(), 0);
   EXPECT_TRUE(verdict().contains("No fault is on")) << verdict().toStdString();
+}
+
+TEST_F(WhatIfTest, ALessonLeadsFromItsRecordingToItsQuestion) {
+  EXPECT_EQ(builtInLessons().size(), 6u);
+  const auto words = [&] {
+    QString all;
+    for (const QLabel* label : panel->findChildren<QLabel*>()) all += label->text() + "\n";
+    return all;
+  };
+  tell({"lesson", "5"});
+  EXPECT_TRUE(words().contains("Late against filtered")) << words().toStdString();
+  EXPECT_TRUE(workspace.opened()->path.contains("lesson-"));
+  EXPECT_NEAR(mass().split(' ').first().toDouble(), 0.75, 0.01) << "of the lesson, not of what was open before";
+  EXPECT_EQ(slider("time_offset"), nullptr) << "the first step only looks";
+  tell({"lesson", "next"});
+  ASSERT_NE(slider("time_offset"), nullptr);
+  ASSERT_NE(slider("low_pass_lag"), nullptr);
+  EXPECT_EQ(slider("cable_pull"), nullptr);
+  slider("time_offset")->setValue(60);
+  EXPECT_TRUE(alike().contains("low-pass filter")) << alike().toStdString();
+  tell({"lesson", "next"});
+  ASSERT_NE(panel->findChild<QPushButton*>("lessonAnswer2"), nullptr);
+  EXPECT_EQ(slider("time_offset")->value(), 60) << "the question is asked of what stands there";
+  panel->findChild<QPushButton*>("lessonAnswer2")->click();
+  settle();
+  EXPECT_TRUE(words().contains("Look once more."));
+  tell({"lesson", "answer", "1"});
+  EXPECT_TRUE(words().contains("Yes."));
+  tell({"lesson", "off"});
+  EXPECT_FALSE(words().contains("Late against filtered"));
+  const auto wrong = panel->obey({"lesson", "7"});
+  EXPECT_TRUE(wrong && !wrong->ok());
+}
+
+TEST_F(WhatIfTest, ATeachersLessonIsReadAndAWrongOneIsExplained) {
+  const QString path = folder.filePath("mine.json");
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(R"({"schema":"heft.lesson/1","title":"Mine"})");
+  file.close();
+  const auto refused = panel->obey({"lesson", path});
+  ASSERT_TRUE(refused && !refused->ok());
+  EXPECT_NE(refused->error().message.find("mine.json: \"recording\""), std::string::npos) << refused->error().message;
+  EXPECT_TRUE(panel->obey({"lesson", folder.filePath("none.json")}) && !panel->obey({"lesson", "none.json"})->ok());
 }
 
 }  // namespace

@@ -35,6 +35,7 @@
 #include "ui/reality_panel/cause_words.h"
 #include "ui/reality_panel/deciding_motion.h"
 #include "ui/reality_panel/difference_pane.h"
+#include "ui/reality_panel/lesson_guide.h"
 #include "ui/reality_panel/practice.h"
 #include "ui/reality_panel/reality_page.h"
 #include "ui/reality_panel/what_if_knobs.h"
@@ -83,6 +84,7 @@ RealityPanel::RealityPanel(const StudioParts& parts)
     : StepPanel(parts),
       pane_(new DifferencePane(parts.plots ? parts.plots->timeAxis() : nullptr, parts.playback)),
       whatIf_(new WhatIfKnobs(parts, this)),
+      lesson_(new LessonGuide(parts, whatIf_, this)),
       panes_(new QStackedWidget),
       findings_(onlyChild<RealityFindings>(*parts.workspace)),
       found_(findings_->found) {
@@ -90,6 +92,7 @@ RealityPanel::RealityPanel(const StudioParts& parts)
   panes_->addWidget(pane_);
   panes_->addWidget(whatIf_->pane());
   connect(whatIf_, &WhatIfKnobs::changed, this, &RealityPanel::refresh);
+  connect(lesson_, &LessonGuide::changed, this, &RealityPanel::refresh);
   if (parts.view) {
     motion_ = new DecidingMotion(parts.workspace, parts.view, parts.playback, this);
     parts.followJobs(motion_->runner());

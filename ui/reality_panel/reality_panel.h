@@ -20,6 +20,7 @@ namespace heft {
 
 class DecidingMotion;
 class DifferencePane;
+class LessonGuide;
 class WhatIfKnobs;
 struct CardActions;
 struct OpenRecording;
@@ -60,6 +61,7 @@ class RealityPanel : public StepPanel {
   void refresh();
   void showWaiting();
   void showKnobs();
+  void showLesson();
   void showReport(const Found& found);
   Found* found();
   const Found* found() const;
@@ -87,6 +89,7 @@ class RealityPanel : public StepPanel {
   JobRunner jobs_;
   DifferencePane* pane_;
   WhatIfKnobs* whatIf_;
+  LessonGuide* lesson_;
   QStackedWidget* panes_;             ///< The difference, or what the knobs do
   DecidingMotion* motion_ = nullptr;  ///< Null without a 3D view.
   QProgressBar* bar_ = nullptr;       ///< While looking; of the page.

@@ -2,9 +2,9 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QProgressBar>
-#include <QStackedWidget>
 #include <QPushButton>
 #include <QRandomGenerator>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
@@ -16,6 +16,7 @@
 #include "ui/reality_panel/cause_words.h"
 #include "ui/reality_panel/deciding_motion.h"
 #include "ui/reality_panel/difference_pane.h"
+#include "ui/reality_panel/lesson_guide.h"
 #include "ui/reality_panel/practice.h"
 #include "ui/reality_panel/reality_page.h"
 #include "ui/reality_panel/reality_panel.h"
@@ -57,6 +58,18 @@ void RealityPanel::showKnobs() {
   page()->setSecondButton(tr("All off"), [this] { whatIf_->allOff(); });
 }
 
+void RealityPanel::showLesson() {
+  QVBoxLayout* column = page()->restart(lesson_->title(), lesson_->words());
+  lesson_->addTo(column, page()->content());
+  column->addStretch(1);
+  if (!lesson_->asking())
+    page()->setMainButton(tr("Next"), [this] { lesson_->next(); });
+  else
+    page()->setMainButton(lesson_->solved() ? tr("End the lesson") : QString(), [this] { lesson_->end(); });
+  page()->setSecondButton(lesson_->first() ? tr("End the lesson") : tr("Back"),
+                          [this] { lesson_->first() ? lesson_->end() : lesson_->back(); });
+}
+
 void RealityPanel::refresh() {
   bar_ = nullptr;
   const auto opened = workspace().opened();
@@ -73,6 +86,8 @@ void RealityPanel::refresh() {
                   tr("Open a recording first, or take one from the menu Practice."))
         ->addStretch(1);
     page()->setMainButton(tr("Go to Record"), [this] { parts().goTo(Step::record); });
+  } else if (lesson_->on()) {
+    showLesson();
   } else if (whatIf_->on()) {
     showKnobs();
     page()->setScrollPosition(position);

@@ -10,6 +10,7 @@
 #include "ui/controller/diagnosis.h"
 #include "ui/controller/workspace.h"
 #include "ui/reality_panel/difference_pane.h"
+#include "ui/reality_panel/lesson_guide.h"
 #include "ui/reality_panel/practice.h"
 #include "ui/reality_panel/reality_page.h"
 #include "ui/reality_panel/reality_panel.h"
@@ -36,6 +37,7 @@ void RealityPanel::addActions(const StudioMenus& menus) {
     parts().goTo(Step::realityCheck);
     whatIf_->setOn(true);
   });
+  lesson_->addActions(menus.practice, this);
   menus.practice->addSeparator();
   for (unsigned seed = 1; seed <= 9; ++seed)
     menus.practice->addAction(tr("Riddle &%1").arg(seed), this, [this, seed] { practise(seed); });
@@ -45,6 +47,7 @@ std::optional<Result<bool>> RealityPanel::obey(const QStringList& words) {
   const QString& verb = words[0];
   const auto arguments = words.size() - 1;
   if (auto obeyed = whatIf_->obey(words)) return obeyed;
+  if (auto obeyed = lesson_->obey(words)) return obeyed;
   if (verb == "diagnose" && arguments == 0) {
     if (!workspace().opened()) return refusal(tr("diagnose needs an open recording."));
     diagnose();

@@ -40,6 +40,7 @@ void WhatIfKnobs::setOn(bool on) {
 void WhatIfKnobs::prepare() {
   const auto opened = parts_.workspace->opened();
   if (whatIf_ && of_ == opened) return showState();
+  jobs_.cancel();
   whatIf_.reset();
   state_.reset();
   calm_.reset();
@@ -47,12 +48,10 @@ void WhatIfKnobs::prepare() {
   of_ = opened;
   failure_.clear();
   const auto segments = parts_.workspace->segments();
-  if (!opened || segments.empty()) {
-    failure_ = tr("Open a recording first.");
-    pane_->showNothing(failure_);
-    return emit changed();
-  }
-  pane_->showNothing(tr("The sliders are being made ready …"));
+  if (!opened) failure_ = tr("Open a recording first.");
+  pane_->showNothing(opened ? tr("The sliders are being made ready …") : failure_);
+  // Before its first estimate nobody knows what of a recording is free; then it comes here again.
+  if (!opened || segments.empty()) return emit changed();
   jobs_.start(
       tr("Making the sliders ready"),
       [opened, segments](const Progress& progress) -> Result<std::shared_ptr<const WhatIf>> {
@@ -60,7 +59,8 @@ void WhatIfKnobs::prepare() {
         if (!made) return made.error();
         return std::make_shared<const WhatIf>(std::move(*made));
       },
-      [this](const Result<std::shared_ptr<const WhatIf>>& made) {
+      [this, opened](const Result<std::shared_ptr<const WhatIf>>& made) {
+        if (opened != of_) return;
         if (made) {
           whatIf_ = *made;
           positions_.assign(whatIf_->knobs().size(), 0.0);
@@ -105,6 +105,7 @@ void WhatIfKnobs::addTo(QVBoxLayout* column, QWidget* content) {
   }
   for (std::size_t k = 0; k < whatIf_->knobs().size(); ++k) {
     const Knob& knob = whatIf_->knobs()[k];
+    if (only_ && !only_->contains(QString::fromStdString(knob.cause))) continue;
     auto* row = new QHBoxLayout;
     row->addWidget(wrappedLabel(titleOf(knob.cause), "rowName", content), 1);
     auto* size = styledLabel({}, "detailValue", content);
@@ -137,13 +138,17 @@ void WhatIfKnobs::addTo(QVBoxLayout* column, QWidget* content) {
 }
 
 Result<bool> WhatIfKnobs::turnBySize(const QString& cause, const QString& size) {
+  bool number = false;
+  const double value = size.toDouble(&number);
+  return turnTo(cause, number ? value : -1.0);
+}
+
+Result<bool> WhatIfKnobs::turnTo(const QString& cause, double value) {
   const auto& knobs = whatIf_->knobs();
   const auto knob = std::find_if(knobs.begin(), knobs.end(),
                                  [&](const Knob& each) { return cause == QString::fromStdString(each.cause); });
-  bool number = false;
-  const double value = size.toDouble(&number);
   if (knob == knobs.end()) return Error{tr("There is no slider %1 on this recording.").arg(cause).toStdString()};
-  if (!number || knob->shownAt || value < 0.0 || value > knob->scale)
+  if (knob->shownAt || !(value >= 0.0 && value <= knob->scale))
     return Error{tr("%1 goes from 0 to %2.").arg(cause, knobText(*knob, 1.0)).toStdString()};
   turn(static_cast<std::size_t>(knob - knobs.begin()), value / knob->scale);
   emit changed();

@@ -30,6 +30,10 @@ class WhatIfKnobs : public QObject {
   /// Turns a knob as a hand does.
   void turn(std::size_t knob, double position);
   void allOff();
+  /// To a size in the cause's unit. Fails for causes without a slider and sizes beyond its end.
+  Result<bool> turnTo(const QString& cause, double size);
+  /// Sliders of these causes alone are shown; nothing: all.
+  void showOnly(const std::optional<QStringList>& causes) { only_ = causes; }
   bool ready() const { return whatIf_ != nullptr; }
   const WhatIf& whatIf() const { return *whatIf_; }
   /// Null before one was turned or made ready.
@@ -55,6 +59,7 @@ class WhatIfKnobs : public QObject {
   std::shared_ptr<const WhatIf> whatIf_;
   std::vector<double> positions_;  ///< One a knob, 0 to 1
   std::optional<WhatIfState> calm_, state_;
+  std::optional<QStringList> only_;
   QStringList wanted_;  ///< Of a script: turned once it is ready
 };
 

@@ -47,6 +47,8 @@ std::string ScriptRunner::help() {
          "  report FILE [replace]             of the whole session, .html or .pdf\n"
          "  whatif CAUSE SIZE ... | whatif on|off\n"
          "                                    what a fault of that size would do to the open recording\n"
+         "  lesson NUMBER | lesson FILE | lesson next|back|off | lesson answer NUMBER\n"
+         "                                    a guided lesson: 1 to 6, or a teacher's\n"
          "  practice NUMBER | guess CAUSE     a recording with a hidden fault\n"
          "  mark FROM TO LABEL                free, contact, ignore or suggested\n"
          "  accept                            accept all suggested marks\n"
