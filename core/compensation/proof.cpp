@@ -6,6 +6,7 @@
 
 #include "core/base/doubts.h"
 #include "core/base/say.h"
+#include "core/compensation/payload_difference.h"
 #include "core/estimation/estimate_prepared.h"
 #include "core/estimation/judgement.h"
 #include "core/math/linear_algebra.h"
@@ -14,13 +15,6 @@ namespace heft {
 
 namespace {
 
-/// Chi-squared with 4 and with 6 degrees of freedom that a right payload exceeds once in 200: together a right payload
-/// passes in 99 of 100.
-constexpr double kMassCentreLimit = 14.860, kInertiaLimit = 18.548;
-/// One sensor, still mounted as it was, on another day: gain, and where its axes seem to cross (one deviation).
-constexpr double kMassRepeats = 0.005;     // relative
-constexpr double kCentreRepeats = 0.0005;  // [m]
-constexpr double kInertiaRepeats = 0.02;   // of the mean moment
 /// So many deviations off is beyond the limit in 87 of 100 cases (non-central chi-squared, 4 degrees of freedom, 25).
 constexpr double kSeenAt = 5.0;
 /// A proof that would let these pass proves nothing.
@@ -30,32 +24,21 @@ constexpr double kCentreWorth = 0.005;  // [m]
 /// motion that makes next to no load (as core/estimation/judgement.cpp has it for slow residuals).
 constexpr double kBeyondNoise = 1.3;
 
-Vector10d repeatability(const Payload& payload) {
-  Vector10d out;
-  out << kMassRepeats * payload.mass, Vector3d::Constant(kCentreRepeats),
-      VectorXd::Constant(6, kInertiaRepeats * payload.inertiaCom.trace() / 3.0);
-  return out;
-}
-
-double chiSquared(const Vector10d& off, const Matrix10d& covariance, int first, int count) {
-  const VectorXd d = off.segment(first, count);
-  const MatrixXd S = covariance.block(first, first, count, count);
-  return d.dot(solveSymmetric(S, d));
-}
-
 void compareNumbers(const Triangle& R, bool bias, Proof& proof) {
   const Payload& p = proof.entered.payload;
   const Vector10d phi = toParameters(p);
   const PlainFit rows = plainFit(R, bias);
   // All in the numbers of files, linear about the entered payload.
   const Matrix10d J = componentsJacobian(phi);
-  const Vector10d own = componentsOf(proof.entered.std), repeats = repeatability(p);
   Matrix10d covariance = congruence(J, rows.covariance);
-  covariance.diagonal() += own.cwiseAbs2() + repeats.cwiseAbs2();
-  proof.off = J * (phi - rows.phi);
-  proof.offStd = covariance.diagonal().cwiseSqrt();
-  proof.massCentreChi2 = chiSquared(proof.off, covariance, 0, 4);
-  proof.inertiaChi2 = chiSquared(proof.off, covariance, 4, 6);
+  covariance.diagonal() += componentsOf(proof.entered.std).cwiseAbs2();
+  const PayloadDifference difference = payloadDifference(J * (phi - rows.phi), covariance, p);
+  proof.off = difference.off;
+  proof.offStd = difference.std;
+  proof.massCentreChi2 = difference.massCentreChi2;
+  proof.inertiaChi2 = difference.inertiaChi2;
+  proof.massCentreDiffers = difference.massCentreDiffers();
+  proof.inertiaDiffers = difference.inertiaDiffers();
   proof.smallestMass = kSeenAt * proof.offStd(0);
   proof.smallestCentre = kSeenAt * proof.offStd.segment<3>(1).maxCoeff();
   if (bias)
@@ -70,7 +53,7 @@ void notYet(Proof& proof, const char* code, std::string text, std::string next) 
 
 void judgeNumbers(Proof& proof) {
   const auto over = [&](int i) { return std::abs(proof.off(i)) / proof.offStd(i); };
-  if (proof.massCentreChi2 > kMassCentreLimit) {
+  if (proof.massCentreDiffers) {
     const double centre = std::max({over(1), over(2), over(3)});
     if (over(0) >= centre)
       notYet(proof, "other_mass",
@@ -85,7 +68,7 @@ void judgeNumbers(Proof& proof) {
                        2e3 * proof.offStd.segment<3>(1).maxCoeff()),
              heft::say("Check that the numbers are in sensor axes and metres, or estimate it again."));
   }
-  if (proof.inertiaChi2 > kInertiaLimit)
+  if (proof.inertiaDiffers)
     notYet(proof, "other_inertia", heft::say("The entered inertia does not match the torques during rotation."),
            heft::say("Check its unit and that it is about the centre of mass, or estimate it again."));
 }
@@ -176,7 +159,7 @@ Result<Proof> prove(const EnteredPayload& entered, const Recording& recording, c
     notYet(proof, "no_trust", proof.own.whyNoTrust, proof.own.whatToDo);
     return proof;
   }
-  const bool fits = proof.massCentreChi2 <= kMassCentreLimit && proof.inertiaChi2 <= kInertiaLimit;
+  const bool fits = !proof.massCentreDiffers && !proof.inertiaDiffers;
   const bool misfit =
       leavesMoreThanNoise(*prepared, proof) && std::ranges::count(proof.own.findings, "misfit", &Finding::code) > 0;
   if (fits && !misfit && !motionCanTell(proof)) {

@@ -34,9 +34,10 @@ struct Proof {
   /// Entered less own payload, and its standard deviation from the recording's noise, the payload's interval and the
   /// sensor's repeatability: mass, com, Ixx, Ixy, Ixz, Iyy, Iyz, Izz about the centre of mass.
   Vector10d off = Vector10d::Zero(), offStd = Vector10d::Zero();
-  double massCentreChi2 = 0.0, inertiaChi2 = 0.0;   ///< Of `off`, 4 and 6 degrees of freedom.
-  double smallestMass = 0.0, smallestCentre = 0.0;  ///< Errors that this proof would hardly miss [kg], [m]
-  Vector6d bias = Vector6d::Zero();                 ///< Of this recording with the entered payload [N], [N m]
+  double massCentreChi2 = 0.0, inertiaChi2 = 0.0;          ///< Of `off`, 4 and 6 degrees of freedom.
+  bool massCentreDiffers = false, inertiaDiffers = false;  ///< By more than chance
+  double smallestMass = 0.0, smallestCentre = 0.0;         ///< Errors that this proof would hardly miss [kg], [m]
+  Vector6d bias = Vector6d::Zero();                        ///< Of this recording with the entered payload [N], [N m]
   Vector6d left = Vector6d::Zero();   ///< Root mean square of the compensated wrench in the free parts, one a channel
   Vector6d noise = Vector6d::Zero();  ///< The sensor's own scatter from sample to sample, one a channel
 };

@@ -77,6 +77,14 @@ json known(const PartialPayload& payload) {
   return out;
 }
 
+json controllerJson(const ControllerChoice& choice) {
+  return {{"payload", known(choice.told)},
+          {"source", choice.source},
+          {"collision_force_n", numberOrNull(choice.collisionForce)},
+          {"collision_torque_nm", numberOrNull(choice.collisionTorque)},
+          {"stiffness_n_m", numberOrNull(choice.stiffness)}};
+}
+
 json marksJson(const std::vector<Mark>& marks) {
   json out = json::array();
   for (const Mark& mark : marks)
@@ -240,6 +248,27 @@ Result<ExportChoice> readExport(const json& object, const Reader& reader) {
   return out;
 }
 
+Result<ControllerChoice> readController(const json& object, const Reader& reader) {
+  ControllerChoice out;
+  if (!object.is_object()) return out;
+  if (memberOf(object, "payload").is_object()) {
+    auto told = partialPayloadFromJson(object["payload"], reader.name + ": controller");
+    if (!told) return told.error();
+    out.told = std::move(told).value();
+  }
+  out.source = textOf(object, "source");
+  for (const auto& [key, value] :
+       {std::pair{"collision_force_n", &out.collisionForce}, std::pair{"collision_torque_nm", &out.collisionTorque},
+        std::pair{"stiffness_n_m", &out.stiffness}}) {
+    const json& given = memberOf(object, key);
+    if (given.is_null()) continue;
+    if (!given.is_number() || !(given.get<double>() > 0.0))
+      return reader.wrong(key, heft::say("should be a number above zero"));
+    *value = given.get<double>();
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string sessionText(const Session& session, const fs::path& folder, bool asRecovery) {
@@ -257,7 +286,7 @@ std::string sessionText(const Session& session, const fs::path& folder, bool asR
   json mounted = json::array();
   for (const MountedPart& part : session.exporting.mounted)
     mounted.push_back({{"name", part.name}, {"payload", toJson(part.payload)}, {"present", part.present}});
-  const json kept = keptObject(session.kept);
+  const json kept = keptObject(session.kept), proof = json::parse(session.proof, nullptr, false);
   json view{{"step", session.step}};
   if (asRecovery) view["home"] = displayName(session.home);
   json out{{"schema", fmt::format("{}{}", kSchema, kSessionVersion)},
@@ -278,6 +307,8 @@ std::string sessionText(const Session& session, const fs::path& folder, bool asR
                       {"mounted_answered", session.exporting.mountedAnswered},
                       {"tcp_m", {session.exporting.tcp.x(), session.exporting.tcp.y(), session.exporting.tcp.z()}}},
                      memberOf(kept, "export"))},
+           {"controller", withKept(controllerJson(session.controller), memberOf(kept, "controller"))},
+           {"proof", proof.is_object() ? proof : json()},
            {"view", withKept(std::move(view), memberOf(kept, "view"))}};
   return withKept(std::move(out), kept).dump(2) + "\n";
 }
@@ -328,14 +359,18 @@ Result<Session> parseSession(std::string_view text, const std::string& name, con
   auto exporting = readExport(memberOf(object, "export"), reader);
   if (!exporting) return exporting.error();
   out.exporting = std::move(exporting).value();
+  auto controller = readController(memberOf(object, "controller"), reader);
+  if (!controller) return controller.error();
+  out.controller = std::move(controller).value();
+  if (memberOf(object, "proof").is_object()) out.proof = object["proof"].dump();
   const json& view = memberOf(object, "view");
   if (view.is_object()) {
     out.step = textOf(view, "step");
     out.home = textOf(view, "home");
   }
 
-  json kept = keptObject(othersOf(
-      object, {"schema", "recordings", "active", "joined", "shape", "settings", "known_payload", "export", "view"}));
+  json kept = keptObject(othersOf(object, {"schema", "recordings", "active", "joined", "shape", "settings",
+                                           "known_payload", "export", "controller", "proof", "view"}));
   const auto keepInside = [&](const char* key, std::initializer_list<std::string_view> mine) {
     if (!memberOf(object, key).is_object()) return;
     const json others = keptObject(othersOf(object[key], mine));
@@ -344,6 +379,7 @@ Result<Session> parseSession(std::string_view text, const std::string& name, con
   keepInside("shape", {"answer", "picture", "shape"});
   keepInside("settings", {"method", "parameters", "bias", "trim"});
   keepInside("export", {"format", "role", "mounted", "mounted_answered", "tcp_m"});
+  keepInside("controller", {"payload", "source", "collision_force_n", "collision_torque_nm", "stiffness_n_m"});
   keepInside("view", {"step", "home"});
   if (!kept.empty()) out.kept = kept.dump();
   return out;

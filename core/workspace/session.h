@@ -71,6 +71,16 @@ struct ExportChoice {
   Vector3d tcp = Vector3d::Zero();  ///< Tool centre point from the flange, F axes [m]; only some formats carry it.
 };
 
+/// What the robot's controller works with today, and what it reacts to. The usual limits are those that libfranka's
+/// examples set (setDefaultBehavior() in examples_common.cpp: nominal force thresholds, Cartesian impedance).
+struct ControllerChoice {
+  PartialPayload told;            ///< F axes, centre of mass from F's origin; empty: what the recording tells
+  std::string source;             ///< File that `told` was read from; empty where it was typed in
+  double collisionForce = 10.0;   ///< Outside force that stops it [N]
+  double collisionTorque = 10.0;  ///< Likewise about F's origin [N m]
+  double stiffness = 3000.0;      ///< Of its Cartesian impedance [N/m]
+};
+
 struct Session {
   std::vector<SessionRecording> recordings;
   int active = -1;      ///< Index of the recording shown; -1 without any.
@@ -78,6 +88,8 @@ struct Session {
   ShapeChoice shape;
   EstimateSettings settings;
   ExportChoice exporting;
+  ControllerChoice controller;
+  std::string proof;           ///< The last heft.prove/1 of exported numbers as JSON text; empty if there is none.
   std::string step;            ///< Id of the step shown; view state, kept for coming back.
   std::filesystem::path home;  ///< Where the user saved the session; empty if nowhere yet.
   std::string kept;            ///< As in SessionRecording, for the whole file.

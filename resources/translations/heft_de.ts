@@ -462,6 +462,105 @@
     </message>
 </context>
 <context>
+    <name>Entry</name>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 N m</source>
+        <translation>%1 N m</translation>
+    </message>
+    <message>
+        <source>A push along it stops the arm at %1 instead of %2, a push against it only at %3.</source>
+        <translation>Ein Stoß in ihrer Richtung hält den Arm bei %1 statt bei %2 an, ein Stoß gegen sie erst bei %3.</translation>
+    </message>
+    <message>
+        <source>Weight: set, estimated</source>
+        <translation>Gewicht: eingestellt, geschätzt</translation>
+    </message>
+    <message>
+        <source>Everything beyond the flange: the tool, and what you said under Export is mounted besides</source>
+        <translation>Alles jenseits des Flanschs: das Werkzeug und was laut „Ausgeben“ außerdem angebaut ist</translation>
+    </message>
+    <message>
+        <source>Distance between the two centres of mass</source>
+        <translation>Abstand der beiden Schwerpunkte</translation>
+    </message>
+    <message>
+        <source>Phantom force</source>
+        <translation>Scheinkraft</translation>
+    </message>
+    <message>
+        <source>The entry is right, as far as this recording can tell.</source>
+        <translation>Der Eintrag stimmt, soweit diese Aufnahme es sagen kann.</translation>
+    </message>
+    <message>
+        <source>What differs lies within the intervals of the estimate.</source>
+        <translation>Was abweicht, liegt innerhalb der Bereiche der Schätzung.</translation>
+    </message>
+    <message>
+        <source>The controller feels up to %1 N m that nobody exerts.</source>
+        <translation>Die Steuerung spürt bis zu %1 N m, die niemand ausübt.</translation>
+    </message>
+    <message>
+        <source>The controller feels up to %1 that nobody exerts.</source>
+        <translation>Die Steuerung spürt bis zu %1, die niemand ausübt.</translation>
+    </message>
+    <message>
+        <source>That is more than the collision threshold of %1: the arm stops although nothing touches it.</source>
+        <translation>Das ist mehr als die Kollisionsschwelle von %1: Der Arm hält an, obwohl ihn nichts berührt.</translation>
+    </message>
+    <message>
+        <source>No centre of mass is set, so the estimated one is used.</source>
+        <translation>Ein Schwerpunkt ist nicht eingestellt, daher gilt der geschätzte.</translation>
+    </message>
+    <message>
+        <source>No inertia is set, so the estimated one is used.</source>
+        <translation>Eine Trägheit ist nicht eingestellt, daher gilt die geschätzte.</translation>
+    </message>
+    <message>
+        <source>No centre of mass and no inertia are set, so the estimated ones are used.</source>
+        <translation>Schwerpunkt und Trägheit sind nicht eingestellt, daher gelten die geschätzten.</translation>
+    </message>
+    <message>
+        <source>With a stiffness of %1 N/m it sinks by %2 when it stands still.</source>
+        <translation>Bei einer Steifigkeit von %1 N/m sinkt er im Stand um %2.</translation>
+    </message>
+    <message>
+        <source>With a stiffness of %1 N/m it rises by %2 when it stands still.</source>
+        <translation>Bei einer Steifigkeit von %1 N/m steigt er im Stand um %2.</translation>
+    </message>
+    <message>
+        <source>%1 N, %2 of the limit</source>
+        <translation>%1 N, %2 der Grenze</translation>
+    </message>
+    <message>
+        <source>For 99 % of this motion it is not larger. The limit is the collision threshold.</source>
+        <translation>In 99 % dieser Bewegung ist sie nicht größer. Die Grenze ist die Kollisionsschwelle.</translation>
+    </message>
+    <message>
+        <source>Phantom torque</source>
+        <translation>Scheinmoment</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3 of the limit</source>
+        <translation>%1 %2, %3 der Grenze</translation>
+    </message>
+    <message>
+        <source>About the flange; for 99 % of this motion it is not larger. The limit is the collision threshold.</source>
+        <translation>Um den Flansch; in 99 % dieser Bewegung ist es nicht größer. Die Grenze ist die Kollisionsschwelle.</translation>
+    </message>
+    <message>
+        <source>Centre off by</source>
+        <translation>Schwerpunkt daneben um</translation>
+    </message>
+</context>
+<context>
     <name>ExportText</name>
     <message>
         <source>Franka profile</source>
@@ -1224,6 +1323,121 @@
     </message>
 </context>
 <context>
+    <name>Passport</name>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Known from</source>
+        <translation>Bekannt aus</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Centre %1</source>
+        <translation>Schwerpunkt %1</translation>
+    </message>
+    <message>
+        <source>Numbers, in the sensor’s axes</source>
+        <translation>Zahlen, in den Achsen des Sensors</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Beweis</translation>
+    </message>
+    <message>
+        <source>These numbers were not proved on another recording.</source>
+        <translation>Diese Zahlen wurden an keiner anderen Aufnahme bewiesen.</translation>
+    </message>
+    <message>
+        <source>Causes of misfit</source>
+        <translation>Ursachen von Abweichungen</translation>
+    </message>
+    <message>
+        <source>Nobody looked.</source>
+        <translation>Niemand hat danach gesucht.</translation>
+    </message>
+    <message>
+        <source>None was found.</source>
+        <translation>Keine wurde gefunden.</translation>
+    </message>
+    <message>
+        <source>It is taken out of the numbers.</source>
+        <translation>Sie ist aus den Zahlen herausgerechnet.</translation>
+    </message>
+    <message>
+        <source>It is not taken out of the numbers.</source>
+        <translation>Sie ist nicht aus den Zahlen herausgerechnet.</translation>
+    </message>
+    <message>
+        <source>Could not have been seen: %1.</source>
+        <translation>Nicht zu sehen gewesen wären: %1.</translation>
+    </message>
+    <message>
+        <source>Since the passport of %1</source>
+        <translation>Seit dem Pass vom %1</translation>
+    </message>
+    <message>
+        <source>The tool has changed, by more than chance.</source>
+        <translation>Das Werkzeug hat sich geändert, mehr als durch Zufall.</translation>
+    </message>
+    <message>
+        <source>Nothing has changed beyond chance.</source>
+        <translation>Nichts hat sich über den Zufall hinaus geändert.</translation>
+    </message>
+    <message>
+        <source>The sensor’s mount is stated otherwise, so the mass alone is compared.</source>
+        <translation>Der Anbau des Sensors ist anders angegeben, daher wird nur die Masse verglichen.</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>geändert</translation>
+    </message>
+    <message>
+        <source>Payload passport: %1</source>
+        <translation>Werkzeugpass: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2. Recording %3.</source>
+        <translation>%1, %2. Aufnahme %3.</translation>
+    </message>
+    <message>
+        <source>These numbers deserve little trust; see the result’s warnings.</source>
+        <translation>Diese Zahlen verdienen wenig Vertrauen; siehe die Warnungen des Ergebnisses.</translation>
+    </message>
+    <message>
+        <source>A passport needs a result.</source>
+        <translation>Ein Pass braucht ein Ergebnis.</translation>
+    </message>
+    <message>
+        <source>%1 exists already and was not replaced.</source>
+        <translation>%1 gibt es schon und wurde nicht ersetzt.</translation>
+    </message>
+</context>
+<context>
     <name>Practice</name>
     <message>
         <source>How to look</source>
@@ -1280,6 +1494,33 @@
     <message>
         <source>Found at once: %1 of %2. With a hint or at the second try: %3.</source>
         <translation>Sofort gefunden: %1 von %2. Mit Hinweis oder im zweiten Versuch: %3.</translation>
+    </message>
+</context>
+<context>
+    <name>Proof</name>
+    <message>
+        <source>Checked on %1.</source>
+        <translation>Geprüft an %1.</translation>
+    </message>
+    <message>
+        <source>Left over in free motion: %1 N and %2 N m; the sensor’s own scatter is %3 N and %4 N m.</source>
+        <translation>In freier Bewegung bleiben %1 N und %2 N m; der Sensor selbst streut mit %3 N und %4 N m.</translation>
+    </message>
+    <message>
+        <source>An error of %1 or %2 %3 would have shown.</source>
+        <translation>Ein Fehler von %1 oder %2 %3 wäre aufgefallen.</translation>
+    </message>
+    <message>
+        <source>PASS: with these numbers taken off, only the sensor’s noise is left.</source>
+        <translation>BESTANDEN: Ohne diese Last bleibt nur das Rauschen des Sensors.</translation>
+    </message>
+    <message>
+        <source>NOT YET</source>
+        <translation>NOCH NICHT</translation>
+    </message>
+    <message>
+        <source>NOT YET: this recording is not sufficient.</source>
+        <translation>NOCH NICHT: Diese Aufnahme reicht nicht aus.</translation>
     </message>
 </context>
 <context>
@@ -2442,6 +2683,18 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>With all causes mass and centre stay the same.</source>
         <translation>Mit allen Ursachen bleiben Masse und Schwerpunkt gleich.</translation>
+    </message>
+    <message>
+        <source>What today’s entry costs</source>
+        <translation>Was der heutige Eintrag kostet</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Beweis</translation>
+    </message>
+    <message>
+        <source>It is of other numbers than these.</source>
+        <translation>Er gilt anderen Zahlen als diesen.</translation>
     </message>
 </context>
 <context>
@@ -8855,6 +9108,110 @@ Bitte prüfen Sie den Namen.</translation>
         <source>a matrix of 4 x 4, row by row</source>
         <translation>eine Matrix von 4 x 4, Zeile für Zeile</translation>
     </message>
+    <message>
+        <source>What the controller is set to needs a mass of zero or more.</source>
+        <translation>Was in der Steuerung steht, braucht eine Masse von null oder mehr.</translation>
+    </message>
+    <message>
+        <source>{} is no passport: its &quot;schema&quot; should be &quot;{}&quot;.</source>
+        <translation>{} ist kein Pass: „schema“ sollte „{}“ sein.</translation>
+    </message>
+    <message>
+        <source>A passport needs the tool&apos;s name.</source>
+        <translation>Ein Pass braucht den Namen des Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>Nothing in this result can be trusted, so no passport is made of it.</source>
+        <translation>Nichts an diesem Ergebnis ist verlässlich, daher wird kein Pass daraus.</translation>
+    </message>
+    <message>
+        <source>the new passport</source>
+        <translation>der neue Pass</translation>
+    </message>
+    <message>
+        <source>{} is the passport of another tool, &quot;{}&quot;.</source>
+        <translation>{} ist der Pass eines anderen Werkzeugs, „{}“.</translation>
+    </message>
+    <message>
+        <source>{}: mass, centre of mass or inertia is missing or holds something that is no number.</source>
+        <translation>{}: Masse, Schwerpunkt oder Trägheit fehlt oder enthält etwas, das keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>{} holds no payload. Heft reads a Franka Desk end effector, a Franka tool profile, a result of &apos;heft estimate&apos; and a payload with mass_kg, com_m and inertia_com_kgm2.</source>
+        <translation>{} enthält keine Last. Heft liest einen Endeffektor aus Franka Desk, ein Werkzeugprofil von Franka, ein Ergebnis von &apos;heft estimate&apos; und eine Last mit mass_kg, com_m und inertia_com_kgm2.</translation>
+    </message>
+    <message>
+        <source>should be a number above zero</source>
+        <translation>sollte eine Zahl über null sein</translation>
+    </message>
+    <message>
+        <source>What a fault would do is shown along a motion, not in standing poses.</source>
+        <translation>Was ein Fehler täte, zeigt sich in einer Bewegung, nicht in Haltungen.</translation>
+    </message>
+    <message>
+        <source>Too little free motion is left to show what a fault would do.</source>
+        <translation>Es bleibt zu wenig freie Bewegung, um zu zeigen, was ein Fehler täte.</translation>
+    </message>
+    <message>
+        <source>{} is no lesson: its &quot;schema&quot; should be &quot;{}&quot;.</source>
+        <translation>{} ist keine Lektion: „schema“ sollte „{}“ sein.</translation>
+    </message>
+    <message>
+        <source>{}: &quot;{}&quot; {}.</source>
+        <translation>{}: „{}“ {}.</translation>
+    </message>
+    <message>
+        <source>should be a text, or one for each language with &quot;en&quot; among them</source>
+        <translation>sollte ein Text sein, oder einer je Sprache, darunter „en“</translation>
+    </message>
+    <message>
+        <source>should be a number above 0, up to {}</source>
+        <translation>sollte eine Zahl über 0 und bis {} sein</translation>
+    </message>
+    <message>
+        <source>should be an object with &quot;say&quot;</source>
+        <translation>sollte ein Objekt mit „say“ sein</translation>
+    </message>
+    <message>
+        <source>should hold causes and their sizes</source>
+        <translation>sollte Ursachen und ihre Größen enthalten</translation>
+    </message>
+    <message>
+        <source>should be a number from 0</source>
+        <translation>sollte eine Zahl ab 0 sein</translation>
+    </message>
+    <message>
+        <source>should be a list of causes</source>
+        <translation>sollte eine Liste von Ursachen sein</translation>
+    </message>
+    <message>
+        <source>should be an object with &quot;say&quot; and &quot;because&quot;</source>
+        <translation>sollte ein Objekt mit „say“ und „because“ sein</translation>
+    </message>
+    <message>
+        <source>should be an object with motion, seed ...</source>
+        <translation>sollte ein Objekt mit motion, seed ... sein</translation>
+    </message>
+    <message>
+        <source>should be a motion of &apos;heft simulate&apos;: free, excitation ...</source>
+        <translation>sollte eine Bewegung von &apos;heft simulate&apos; sein: free, excitation ...</translation>
+    </message>
+    <message>
+        <source>cannot exist: {}</source>
+        <translation>kann es nicht geben: {}</translation>
+    </message>
+    <message>
+        <source>should be a list of 1 to {} steps</source>
+        <translation>sollte eine Liste von 1 bis {} Schritten sein</translation>
+    </message>
+    <message>
+        <source>should be a list of 2 to {} answers</source>
+        <translation>sollte eine Liste von 2 bis {} Antworten sein</translation>
+    </message>
+    <message>
+        <source>should have one that is &quot;right&quot;: true</source>
+        <translation>sollte genau eine mit „right“: true enthalten</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
@@ -9329,6 +9686,131 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
 </context>
 <context>
+    <name>heft::EntryCard</name>
+    <message>
+        <source>Phantom force</source>
+        <translation>Scheinkraft</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>What does today’s entry cost?</source>
+        <translation>Was kostet der heutige Eintrag?</translation>
+    </message>
+    <message>
+        <source>Say what the controller is set to now. Heft then tells which forces it feels that nobody exerts, and what they do.</source>
+        <translation>Sagen Sie, was jetzt in der Steuerung steht. Heft nennt dann die Kräfte, die sie spürt, obwohl niemand sie ausübt, und was sie bewirken.</translation>
+    </message>
+    <message>
+        <source>Change it …</source>
+        <translation>Ändern …</translation>
+    </message>
+    <message>
+        <source>Enter it …</source>
+        <translation>Eingeben …</translation>
+    </message>
+    <message>
+        <source>From a payload file …</source>
+        <translation>Aus einer Lastdatei …</translation>
+    </message>
+    <message>
+        <source>Heft compares it along the motion …</source>
+        <translation>Heft vergleicht ihn entlang der Bewegung …</translation>
+    </message>
+    <message>
+        <source>Set as the recording tells (%1).</source>
+        <translation>Eingestellt, wie es die Aufnahme sagt (%1).</translation>
+    </message>
+    <message>
+        <source>Set as you typed it.</source>
+        <translation>Eingestellt, wie Sie es eingaben.</translation>
+    </message>
+    <message>
+        <source>Set as in %1.</source>
+        <translation>Eingestellt wie in %1.</translation>
+    </message>
+    <message>
+        <source>The arrow on the tool shows the force at the moment shown.</source>
+        <translation>Der Pfeil am Werkzeug zeigt die Kraft im gezeigten Augenblick.</translation>
+    </message>
+    <message>
+        <source>the controller’s entry</source>
+        <translation>Eintrag der Steuerung</translation>
+    </message>
+    <message>
+        <source>What the controller is set to</source>
+        <translation>Was in der Steuerung steht</translation>
+    </message>
+    <message>
+        <source>Payload files (*.json);;All files (*)</source>
+        <translation>Lastdateien (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>controller expects a mass in kg and perhaps a place in mm, a payload file, or off: controller 0.5 at 0,0,40.</source>
+        <translation>controller erwartet eine Masse in kg und vielleicht einen Ort in mm, eine Lastdatei oder off: controller 0.5 at 0,0,40.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::EntryCosts</name>
+    <message>
+        <source>the controller’s entry</source>
+        <translation>Eintrag der Steuerung</translation>
+    </message>
+    <message>
+        <source>Working out what the entry costs</source>
+        <translation>Rechnet aus, was der Eintrag kostet</translation>
+    </message>
+</context>
+<context>
+    <name>heft::EntryDialog</name>
+    <message>
+        <source>What is the controller set to?</source>
+        <translation>Was steht in der Steuerung?</translation>
+    </message>
+    <message>
+        <source>As it stands at the controller, with everything beyond the flange. A weight of 0 means that nothing was entered.</source>
+        <translation>So, wie es in der Steuerung steht, mit allem jenseits des Flanschs. Ein Gewicht von 0 heißt, dass nichts eingegeben wurde.</translation>
+    </message>
+    <message>
+        <source>Centre from the flange, inertia about the centre of mass, along the flange’s axes. What you leave empty is taken as estimated.</source>
+        <translation>Schwerpunkt vom Flansch aus, Trägheit um den Schwerpunkt, entlang der Achsen des Flanschs. Was Sie leer lassen, gilt wie geschätzt.</translation>
+    </message>
+    <message>
+        <source>What it reacts to</source>
+        <translation>Worauf sie reagiert</translation>
+    </message>
+    <message>
+        <source>Collision force [N]</source>
+        <translation>Kollisionskraft [N]</translation>
+    </message>
+    <message>
+        <source>Collision torque [N m]</source>
+        <translation>Kollisionsmoment [N m]</translation>
+    </message>
+    <message>
+        <source>Stiffness of the arm [N/m]</source>
+        <translation>Steifigkeit des Arms [N/m]</translation>
+    </message>
+    <message>
+        <source>At first as in libfranka’s examples: 10 N, 10 N m, 3000 N/m. Your program’s values count.</source>
+        <translation>Zunächst wie in den Beispielen von libfranka: 10 N, 10 N m, 3000 N/m. Es zählen die Werte Ihres Programms.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>The weight is missing.</source>
+        <translation>Das Gewicht fehlt.</translation>
+    </message>
+    <message>
+        <source>%1 should be a number above zero.</source>
+        <translation>%1 sollte eine Zahl über null sein.</translation>
+    </message>
+</context>
+<context>
     <name>heft::ExportPanel</name>
     <message>
         <source>saved as %1</source>
@@ -9749,56 +10231,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Von einer Waage oder aus CAD. Heft vergleicht damit und ändert nichts; lassen Sie leer, was Sie nicht wissen.</translation>
     </message>
     <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>Weight in kg</source>
-        <translation>Gewicht in kg</translation>
-    </message>
-    <message>
-        <source>Weight [kg]</source>
-        <translation>Gewicht [kg]</translation>
-    </message>
-    <message>
-        <source>Centre of mass %1 in mm</source>
-        <translation>Schwerpunkt %1 in mm</translation>
-    </message>
-    <message>
-        <source>Centre x, y, z [mm]</source>
-        <translation>Schwerpunkt x, y, z [mm]</translation>
-    </message>
-    <message>
-        <source>Inertia %1 in kg cm²</source>
-        <translation>Trägheit %1 in kg cm²</translation>
-    </message>
-    <message>
-        <source>Ixx, Iyy, Izz [kg cm²]</source>
-        <translation>Ixx, Iyy, Izz [kg cm²]</translation>
-    </message>
-    <message>
-        <source>Ixy, Ixz, Iyz [kg cm²]</source>
-        <translation>Ixy, Ixz, Iyz [kg cm²]</translation>
-    </message>
-    <message>
         <source>Centre from the sensor’s origin, inertia about the centre of mass, along the sensor’s axes. Products as in the inertia matrix.</source>
         <translation>Schwerpunkt vom Ursprung des Sensors, Trägheit um den Schwerpunkt, entlang der Sensorachsen. Deviationsmomente wie in der Trägheitsmatrix.</translation>
     </message>
     <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
-    </message>
-    <message>
-        <source>The weight should be a number above zero.</source>
-        <translation>Das Gewicht muss eine Zahl über null sein.</translation>
-    </message>
-    <message>
-        <source>The centre needs three numbers, or none.</source>
-        <translation>Der Schwerpunkt braucht drei Zahlen oder keine.</translation>
-    </message>
-    <message>
-        <source>The inertia needs Ixx, Iyy and Izz, or nothing; empty products count as zero.</source>
-        <translation>Die Trägheit braucht Ixx, Iyy und Izz oder nichts; leere Deviationsmomente zählen als null.</translation>
     </message>
 </context>
 <context>
@@ -9810,6 +10248,49 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Show %1</source>
         <translation>%1 zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>heft::LessonGuide</name>
+    <message>
+        <source>Making the lesson’s recording</source>
+        <translation>Die Aufnahme der Lektion wird gemacht</translation>
+    </message>
+    <message>
+        <source>Yes.</source>
+        <translation>Ja.</translation>
+    </message>
+    <message>
+        <source>Look once more.</source>
+        <translation>Sehen Sie noch einmal hin.</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>&amp;Lektionen</translation>
+    </message>
+    <message>
+        <source>From a &amp;file …</source>
+        <translation>Aus einer &amp;Datei …</translation>
+    </message>
+    <message>
+        <source>Open a lesson</source>
+        <translation>Eine Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons (*.json);;All files (*)</source>
+        <translation>Lektionen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>lesson expects a number, a file, next, back, answer NUMBER or off; answers come after the last step.</source>
+        <translation>lesson erwartet eine Nummer, eine Datei, next, back, answer NUMMER oder off; Antworten kommen nach dem letzten Schritt.</translation>
+    </message>
+    <message>
+        <source>No lesson is under way.</source>
+        <translation>Es läuft keine Lektion.</translation>
+    </message>
+    <message>
+        <source>There is no lesson %1.</source>
+        <translation>Es gibt keine Lektion %1.</translation>
     </message>
 </context>
 <context>
@@ -10636,6 +11117,57 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     </message>
 </context>
 <context>
+    <name>heft::PayloadForm</name>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Weight in kg</source>
+        <translation>Gewicht in kg</translation>
+    </message>
+    <message>
+        <source>Weight [kg]</source>
+        <translation>Gewicht [kg]</translation>
+    </message>
+    <message>
+        <source>Centre of mass %1 in mm</source>
+        <translation>Schwerpunkt %1 in mm</translation>
+    </message>
+    <message>
+        <source>Centre x, y, z [mm]</source>
+        <translation>Schwerpunkt x, y, z [mm]</translation>
+    </message>
+    <message>
+        <source>Inertia %1 in kg cm²</source>
+        <translation>Trägheit %1 in kg cm²</translation>
+    </message>
+    <message>
+        <source>Ixx, Iyy, Izz [kg cm²]</source>
+        <translation>Ixx, Iyy, Izz [kg cm²]</translation>
+    </message>
+    <message>
+        <source>Ixy, Ixz, Iyz [kg cm²]</source>
+        <translation>Ixy, Ixz, Iyz [kg cm²]</translation>
+    </message>
+    <message>
+        <source>The weight should be a number, zero or above.</source>
+        <translation>Das Gewicht muss eine Zahl von null an sein.</translation>
+    </message>
+    <message>
+        <source>The weight should be a number above zero.</source>
+        <translation>Das Gewicht muss eine Zahl über null sein.</translation>
+    </message>
+    <message>
+        <source>The centre needs three numbers, or none.</source>
+        <translation>Der Schwerpunkt braucht drei Zahlen oder keine.</translation>
+    </message>
+    <message>
+        <source>The inertia needs Ixx, Iyy and Izz, or nothing; empty products count as zero.</source>
+        <translation>Die Trägheit braucht Ixx, Iyy und Izz oder nichts; leere Deviationsmomente zählen als null.</translation>
+    </message>
+</context>
+<context>
     <name>heft::PlaceForm</name>
     <message>
         <source>Middle of its near end, from the sensor’s face</source>
@@ -10822,6 +11354,97 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>For the result and the plots. Files keep the units of their format, and lengths that you enter are in mm.</source>
         <translation>Für Ergebnis und Kurven. Dateien behalten die Einheiten ihres Formats; Längen geben Sie in mm ein.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::ProofCard</name>
+    <message>
+        <source>Is it right at the robot?</source>
+        <translation>Stimmt es am Roboter?</translation>
+    </message>
+    <message>
+        <source>Checking the numbers on that recording …</source>
+        <translation>Die Zahlen werden an dieser Aufnahme geprüft …</translation>
+    </message>
+    <message>
+        <source>Enter the file at the controller, guide the tool for ten seconds through all directions, touching nothing, and let Heft check the numbers on that.</source>
+        <translation>Geben Sie die Datei in die Steuerung ein, führen Sie das Werkzeug zehn Sekunden lang durch alle Richtungen, ohne etwas zu berühren, und lassen Sie Heft die Zahlen daran prüfen.</translation>
+    </message>
+    <message>
+        <source>The numbers have changed since; prove them again.</source>
+        <translation>Die Zahlen haben sich seither geändert; beweisen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>Prove on what comes in</source>
+        <translation>Am laufenden Strom beweisen</translation>
+    </message>
+    <message>
+        <source>Prove on a recording …</source>
+        <translation>An einer Aufnahme beweisen …</translation>
+    </message>
+    <message>
+        <source>Tool passport …</source>
+        <translation>Werkzeugpass …</translation>
+    </message>
+    <message>
+        <source>Prove needs a result.</source>
+        <translation>Beweisen braucht ein Ergebnis.</translation>
+    </message>
+    <message>
+        <source>The numbers come from %1 itself: prove them on another recording.</source>
+        <translation>Die Zahlen stammen aus %1 selbst: Beweisen Sie sie an einer anderen Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Proving the numbers</source>
+        <translation>Die Zahlen werden bewiesen</translation>
+    </message>
+    <message>
+        <source>Nothing comes in: start listening to the robot under Record, then guide the tool.</source>
+        <translation>Es kommt nichts an: Hören Sie unter „Aufnehmen“ dem Roboter zu und führen Sie dann das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Prove on a recording</source>
+        <translation>An einer Aufnahme beweisen</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Tool passport</source>
+        <translation>Werkzeugpass</translation>
+    </message>
+    <message>
+        <source>What is the tool called?</source>
+        <translation>Wie heißt das Werkzeug?</translation>
+    </message>
+    <message>
+        <source>Save the passport</source>
+        <translation>Den Pass speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Saved %1, compared with %2.</source>
+        <translation>%1 gespeichert, verglichen mit %2.</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>prove expects a recording, or live: prove check.csv.</source>
+        <translation>prove erwartet eine Aufnahme oder live: prove check.csv.</translation>
+    </message>
+    <message>
+        <source>passport expects a file, and may end in tool NAME, since FILE, replace: passport gripper.pdf tool Gripper since old.json.</source>
+        <translation>passport erwartet eine Datei und darf mit tool NAME, since DATEI, replace enden: passport gripper.pdf tool Gripper since old.json.</translation>
     </message>
 </context>
 <context>
@@ -11141,6 +11764,42 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>shows best here</source>
         <translation>hier am besten zu sehen</translation>
+    </message>
+    <message>
+        <source>Drag a slider; the recording stays as it is</source>
+        <translation>Ziehen Sie einen Regler; die Aufnahme bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>What if …?</source>
+        <translation>Was wäre, wenn …?</translation>
+    </message>
+    <message>
+        <source>All off</source>
+        <translation>Alle aus</translation>
+    </message>
+    <message>
+        <source>&amp;What if …?</source>
+        <translation>&amp;Was wäre, wenn …?</translation>
+    </message>
+    <message>
+        <source>Move one slider: the curves and the numbers below the arm follow your hand. The recording stays as it is.</source>
+        <translation>Ziehen Sie einen Regler: Kurven und Zahlen unter dem Arm folgen Ihrer Hand. Die Aufnahme bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Back to the check</source>
+        <translation>Zurück zur Prüfung</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>End the lesson</source>
+        <translation>Lektion beenden</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
     </message>
 </context>
 <context>
@@ -11837,6 +12496,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>no weight yet</source>
         <translation>noch kein Gewicht</translation>
+    </message>
+    <message>
+        <source>What the controller is &amp;set to …</source>
+        <translation>Was in der &amp;Steuerung steht …</translation>
     </message>
 </context>
 <context>
@@ -13063,6 +13726,104 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>“%1” is no weight: type a number such as 0.8 kg or 800 g, or leave it empty.</source>
         <translation>„%1“ ist kein Gewicht: Schreiben Sie eine Zahl wie 0,8 kg oder 800 g, oder lassen Sie das Feld leer.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::WhatIfKnobs</name>
+    <message>
+        <source>Open a recording first.</source>
+        <translation>Öffnen Sie zuerst eine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>This motion shows it from %1 on.</source>
+        <translation>Diese Bewegung zeigt es ab %1.</translation>
+    </message>
+    <message>
+        <source>This motion does not show it.</source>
+        <translation>Diese Bewegung zeigt es nicht.</translation>
+    </message>
+    <message>
+        <source>%1 goes from 0 to %2.</source>
+        <translation>%1 geht von 0 bis %2.</translation>
+    </message>
+    <message>
+        <source>whatif needs an open recording.</source>
+        <translation>whatif braucht eine offene Aufnahme.</translation>
+    </message>
+    <message>
+        <source>whatif expects on, off, or causes with their sizes: whatif time_offset 12.</source>
+        <translation>whatif erwartet on, off oder Ursachen mit ihren Größen: whatif time_offset 12.</translation>
+    </message>
+    <message>
+        <source>The sliders are being made ready …</source>
+        <translation>Die Regler werden vorbereitet …</translation>
+    </message>
+    <message>
+        <source>Making the sliders ready</source>
+        <translation>Regler werden vorbereitet</translation>
+    </message>
+    <message>
+        <source>There is no slider %1 on this recording.</source>
+        <translation>Für diese Aufnahme gibt es keinen Regler %1.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::WhatIfPane</name>
+    <message>
+        <source>Centre %1</source>
+        <translation>Schwerpunkt %1</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>What if …?</source>
+        <translation>Was wäre, wenn …?</translation>
+    </message>
+    <message>
+        <source>Back to the reality check</source>
+        <translation>Zurück zur Realitätsprüfung</translation>
+    </message>
+    <message>
+        <source>was %1</source>
+        <translation>vorher %1</translation>
+    </message>
+    <message>
+        <source>Force left over [N]</source>
+        <translation>Übrige Kraft [N]</translation>
+    </message>
+    <message>
+        <source>Torque left over [N m]</source>
+        <translation>Übriges Drehmoment [N m]</translation>
+    </message>
+    <message>
+        <source>No fault is on: this is the recording as it is.</source>
+        <translation>Kein Fehler ist an: So ist die Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Nobody would see it in this motion, and the numbers are wrong all the same.</source>
+        <translation>In dieser Bewegung sähe es niemand, und die Zahlen sind trotzdem falsch.</translation>
+    </message>
+    <message>
+        <source>Nobody would see it in this motion, and it does no harm.</source>
+        <translation>In dieser Bewegung sähe es niemand, und es schadet nicht.</translation>
+    </message>
+    <message>
+        <source>It would be seen: %1 N and %2 N m are left over, %3 N and %4 N m without it.</source>
+        <translation>Man sähe es: %1 N und %2 N m bleiben übrig, ohne den Fehler %3 N und %4 N m.</translation>
+    </message>
+    <message>
+        <source>Nothing else looks like it: “%1” explains %2 % of it at most.</source>
+        <translation>Nichts anderes sieht so aus: „%1“ erklärt davon höchstens %2 %.</translation>
+    </message>
+    <message>
+        <source>It looks like “%1” %2: that explains %3 % of it. To decide: %4</source>
+        <translation>Es sieht aus wie „%1“ %2: Das erklärt %3 % davon. Zum Entscheiden: %4</translation>
     </message>
 </context>
 <context>

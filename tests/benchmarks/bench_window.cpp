@@ -5,6 +5,7 @@
 //   bench_window live [MINUTES]      a robot that sends 1 kHz over UDP: once a minute what came, what was drawn, how
 //   long
 //                                    the window was deaf at most, and the memory held
+//   bench_window knobs [SECONDS]     a step of each slider of "What if" with all that follows it, drawn
 #include <arpa/inet.h>
 #include <fmt/format.h>
 #include <sys/socket.h>
@@ -19,6 +20,7 @@
 #include <QProcess>
 #include <QPushButton>
 #include <QScreen>
+#include <QSlider>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <algorithm>
@@ -136,21 +138,48 @@ void measure(const char* what, int frames, const std::function<void(int)>& act) 
   std::fflush(stdout);
 }
 
+/// A simulated recording of so many seconds at 1 kHz; false, with the reason said, where that failed.
+bool writeLong(const std::string& file, double seconds) {
+  Payload payload;
+  payload.mass = 0.9;
+  payload.com = {0.005, -0.01, 0.06};
+  payload.inertiaCom = Vector3d(0.0021, 0.0019, 0.0012).asDiagonal();
+  SimulateOptions options;
+  options.duration = seconds;
+  const auto simulated = simulate(RobotModel::panda(), payload, options);
+  if (!simulated) return fmt::print(stderr, "{}\n", simulated.error().message), false;
+  if (auto written = writeRecording(simulated->recording, file); !written)
+    return fmt::print(stderr, "{}\n", written.error().message), false;
+  return true;
+}
+
+int knobs(double seconds) {
+  const QTemporaryDir folder;
+  const std::string file = folder.filePath("rec.csv").toStdString();
+  if (!writeLong(file, seconds)) return 1;
+  Workspace workspace;
+  MainWindow window(&workspace, false);
+  window.resize(kWindow);
+  window.show();
+  workspace.open(QString::fromStdString(file));
+  turnUntil([&] { return window.settled(); });
+  window.showStep(Step::realityCheck);
+  (void)window.panel(Step::realityCheck)->obey({"whatif", "on"});
+  turnUntil([&] { return window.settled(); });
+  turnFor(500);
+  fmt::print("{:34}  {:>8}  {:>8}  {:>8}  {:>14}\n", "wall time of a step, drawn [ms]", "median", "95 %", "longest",
+             "processor, ms");
+  for (auto* slider : window.panel(Step::realityCheck)->findChildren<QSlider*>()) {
+    measure(slider->objectName().toUtf8().constData(), 40, [&](int k) { slider->setValue(2 + 2 * k); });
+    slider->setValue(0);
+  }
+  return 0;
+}
+
 int frames(double minutes) {
   const QTemporaryDir folder;
   const std::string file = folder.filePath("long.csv").toStdString();
-  {
-    Payload payload;
-    payload.mass = 0.9;
-    payload.com = {0.005, -0.01, 0.06};
-    payload.inertiaCom = Vector3d(0.0021, 0.0019, 0.0012).asDiagonal();
-    SimulateOptions options;
-    options.duration = 60 * minutes;
-    const auto simulated = simulate(RobotModel::panda(), payload, options);
-    if (!simulated) return fmt::print(stderr, "{}\n", simulated.error().message), 1;
-    if (auto written = writeRecording(simulated->recording, file); !written)
-      return fmt::print(stderr, "{}\n", written.error().message), 1;
-  }
+  if (!writeLong(file, 60 * minutes)) return 1;
   Workspace workspace;
   MainWindow window(&workspace, false);
   window.resize(kWindow);
@@ -340,8 +369,8 @@ int live(int minutes) {
 int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";
   const double number = argc > 2 ? std::atof(argv[2]) : 0.0;
-  if ((what != "frames" && what != "start" && what != "live") || (what == "start" && argc < 3)) {
-    fmt::print(stderr, "bench_window frames [MINUTES] | start PROGRAM | live [MINUTES]\n");
+  if ((what != "frames" && what != "start" && what != "live" && what != "knobs") || (what == "start" && argc < 3)) {
+    fmt::print(stderr, "bench_window frames [MINUTES] | start PROGRAM | live [MINUTES] | knobs [SECONDS]\n");
     return 2;
   }
   auto display = heft::PrivateDisplay::start(heft::kWindow.width(), heft::kWindow.height());
@@ -353,6 +382,7 @@ int main(int argc, char** argv) {
   QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
   heft::applyTheme(application, heft::ThemeKind::light);
   if (what == "frames") return heft::frames(number > 0 ? number : 10.0);
+  if (what == "knobs") return heft::knobs(number > 0 ? number : 20.0);
   if (what == "start") return heft::start(QString::fromLocal8Bit(argv[2]));
   return heft::live(number > 0 ? static_cast<int>(number) : 30);
 }

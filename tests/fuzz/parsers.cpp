@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/base/json_file.h"
+#include "core/exporters/controller_file.h"
 #include "core/import/import.h"
 #include "core/import/json_numbers.h"
 #include "core/import/message_definition.h"
@@ -21,6 +22,7 @@
 #include "core/payload/shape.h"
 #include "core/recording/csv_reader.h"
 #include "core/robot/robot_model.h"
+#include "core/simulation/lesson.h"
 #include "core/workspace/session.h"
 
 namespace heft::fuzz {
@@ -110,6 +112,8 @@ void payload(std::string_view bytes) {
   const auto json = parseJson(bytes, "payload.json");
   if (!json) return;
   (void)partialPayloadFromJson(*json, "payload.json");
+  if (const auto read = controllerPayloadFromJson(*json, "payload.json"))
+    require(std::isfinite(read->mass) && read->com.allFinite() && read->inertiaCom.allFinite());
   if (const auto read = payloadFromJson(*json, "payload.json"))
     require(std::isfinite(read->mass) && read->com.allFinite() && read->inertiaCom.allFinite());
 }
@@ -125,6 +129,10 @@ void urdf(std::string_view bytes) {
 
 void session(std::string_view bytes) {
   if (const auto read = parseSession(bytes, "input.heft", "/tmp")) (void)sessionText(*read, "/tmp");
+}
+
+void lesson(std::string_view bytes) {
+  if (const auto read = parseLesson(bytes, "lesson.json")) require(!read->steps.empty() && read->answers.size() > 1);
 }
 
 /// Messages as they come over a WebSocket: each begins with 't' (text) or 'b' (binary) and ends with 0x1E.
@@ -215,6 +223,7 @@ constexpr Parser kParsers[] = {{"recording", recording},
                                {"map", map},
                                {"shape", shape},
                                {"payload", payload},
+                               {"lesson", lesson},
                                {"urdf", urdf},
                                {"session", session},
                                {"foxglove", foxglove},

@@ -123,7 +123,7 @@ TEST_F(HonestyTest, TheDifferenceStandsBelowTheArmAndIsAlive) {
   openWith({{"time_offset", "", 15.0}});
   window.showStep(Step::realityCheck);
   settle();
-  auto* pane = dynamic_cast<DifferencePane*>(window.panel(Step::realityCheck)->ownPane());
+  auto* pane = window.panel(Step::realityCheck)->ownPane()->findChild<DifferencePane*>();
   ASSERT_NE(pane, nullptr);
   ASSERT_TRUE(pane->isVisible()) << "without a click";
   TimeAxis* axis = window.recordingPane()->timeAxis();

@@ -25,7 +25,7 @@
 namespace heft {
 namespace {
 
-constexpr int kPatience = 120000;  ///< [ms] A bound against hanging only.
+constexpr int kLivePatience = 120000;  ///< [ms] A bound against hanging only.
 
 TEST(LiveHistory, AnHourIsBoundedAndItsPeaksStay) {
   LiveHistory history;
@@ -194,7 +194,7 @@ class LiveRunTest : public testing::Test {
             if (runner->running()) return false;
           return true;
         },
-        kPatience));
+        kLivePatience));
   }
   QTemporaryDir folder;
   LiveRun run;
@@ -254,7 +254,7 @@ TEST_F(LiveRunTest, AReplayComesWholeAndEndsByItself) {
   replay.folder = folder.filePath("recordings");
   replay.name = "again";
   ASSERT_TRUE(run.start(std::move(replay), true).ok());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return run.finished() && run.view().time > 1.99; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return run.finished() && run.view().time > 1.99; }, kLivePatience));
   const QString second = run.stop();
   const auto a = readRecording(first.toStdString()), b = readRecording(second.toStdString());
   ASSERT_TRUE(a.ok() && b.ok());
@@ -287,7 +287,7 @@ TEST(RecordingVictim, DISABLED_RecordsUntilItIsKilled) {
   setup.name = "run";
   LiveRun run;
   ASSERT_TRUE(run.start(std::move(setup), true).ok());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return run.status().recorded > 2500; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return run.status().recorded > 2500; }, kLivePatience));
   std::printf("recorded %d\n", static_cast<int>(run.status().recorded));
   std::fflush(stdout);
   QTest::qWait(60000);
@@ -307,7 +307,7 @@ TEST(UnfinishedRecording, AKillLosesASecondAtMostAndTheNextStartFindsIt) {
         said += victim.readAllStandardOutput();
         return said.contains("recorded ") && said.endsWith('\n');
       },
-      kPatience))
+      kLivePatience))
       << said.toStdString();
   EXPECT_TRUE(unfinishedRecordings(folder.path()).isEmpty()) << "a living program's recording is its own";
   victim.kill();  // SIGKILL
@@ -379,14 +379,14 @@ TEST(LivePanel, TheVirtualArmIsRecordedAndTheResultHoldsTheHiddenTool) {
   EXPECT_EQ(panel.findChildren<QPushButton*>("mainButton").size(), 1);
   ASSERT_TRUE(panel.obey({"live", "virtual", "12", "3"})->ok());
   EXPECT_TRUE(panel.run()->running());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return panel.run()->view().time > 11.99; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return panel.run()->view().time > 11.99; }, kLivePatience));
   EXPECT_EQ(panel.state().line, "12.0 s, recording");
   QTest::qWait(100);
   auto* stop = panel.findChild<QPushButton*>("mainButton");
   ASSERT_TRUE(stop->isEnabled());
   QTest::mouseClick(stop, Qt::LeftButton);
   EXPECT_FALSE(panel.run()->running());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace.report() != nullptr; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace.report() != nullptr; }, kLivePatience));
   const auto& report = *workspace.report();
   const double width = report.interval95.mass.upper - report.interval95.mass.lower;
   EXPECT_GT(practiceTool(3).mass, report.interval95.mass.lower - width);
@@ -410,7 +410,7 @@ TEST(LivePanel, TheRecordingGoesOnWhenTheWindowIsReplacedForAnotherLanguage) {
     auto before = std::make_unique<RecordPanel>(parts);
     EXPECT_EQ(before->facts(), "");
     ASSERT_TRUE(before->obey({"live", "virtual", "3", "3"})->ok());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return before->run()->view().time > 2.99; }, kPatience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return before->run()->view().time > 2.99; }, kLivePatience));
     const QString file = before->run()->file();
     RecordPanel after(parts);
     before.reset();
@@ -420,7 +420,7 @@ TEST(LivePanel, TheRecordingGoesOnWhenTheWindowIsReplacedForAnotherLanguage) {
     EXPECT_EQ(after.facts(), "Virtual arm, recording");
     EXPECT_NE(after.findChild<QPushButton*>("wanderButton"), nullptr) << "the board of the run, not the choice of ways";
     ASSERT_TRUE(after.obey({"live", "pass", "9"})->ok());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return after.run()->view().time > 11.99; }, kPatience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return after.run()->view().time > 11.99; }, kLivePatience));
     // Another way begins anew with the same hidden tool.
     const std::uint64_t tool = after.run()->origin().tool;
     QTest::mouseClick(after.findChild<QPushButton*>("posesButton"), Qt::LeftButton);
@@ -447,14 +447,14 @@ TEST(LivePanel, StandingPosesBecomeARecordingOfPoses) {
     return true;
   };
   for (int pose = 0; pose < 8; ++pose) {
-    ASSERT_TRUE(QTest::qWaitFor(settled, kPatience));
+    ASSERT_TRUE(QTest::qWaitFor(settled, kLivePatience));
     if (!panel.obey({"live", "show"})->ok()) break;
     ASSERT_TRUE(panel.obey({"live", "pass", "9"})->ok());
   }
-  ASSERT_TRUE(QTest::qWaitFor(settled, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor(settled, kLivePatience));
   EXPECT_GE(panel.run()->view().poses.size(), 6u);
   ASSERT_TRUE(panel.obey({"live", "stop"})->ok());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace.report() != nullptr; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace.report() != nullptr; }, kLivePatience));
   EXPECT_EQ(workspace.opened()->recording.meta.kind, RecordingKind::poses);
   EXPECT_NEAR(workspace.report()->payload.mass, practiceTool(4).mass, 0.05);
   qunsetenv("XDG_STATE_HOME");

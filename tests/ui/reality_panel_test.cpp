@@ -304,7 +304,7 @@ TEST_F(RealityPanelTest, TheDifferenceIsLookedAtFromThreeSides) {
   open(simulated("hose.csv", {{"cable_pull", "", 4.0}}));
   panel->diagnose();
   settle();
-  auto* pane = static_cast<DifferencePane*>(panel->ownPane());
+  auto* pane = panel->ownPane()->findChild<DifferencePane*>();
   EXPECT_EQ(panel->below(), StepPanel::Below::own) << "without a click";
   EXPECT_GT(pane->traces()->curves().time.size(), 100);
   EXPECT_NEAR(pane->traces()->curves().noise, 2.0 * panel->report()->noise.force, 1e-12);

@@ -33,6 +33,8 @@ QColor colourOf(ChartCurve::Colour colour, const Theme& t) {
   return t.text;
 }
 
+constexpr int kPiece = 24;  // Points of a curve that are drawn at once
+
 struct Span {
   double low = 0.0, high = 1.0;
   bool log = false;
@@ -195,6 +197,9 @@ ChartPlace drawChart(QPainter& p, const QRectF& area, const Chart& chart, const 
       p.setBrush(Qt::NoBrush);
       continue;
     }
+    QPen pen(colour, 1.5);
+    if (curve.dashed) pen.setDashPattern({3.0, 2.0});
+    p.setPen(pen);
     QPainterPath path;
     bool open = false;
     for (const QPointF& point : curve.points) {
@@ -206,10 +211,12 @@ ChartPlace drawChart(QPainter& p, const QRectF& area, const Chart& chart, const 
       const QPointF at(px(point.x()), py(point.y()));
       open ? path.lineTo(at) : path.moveTo(at);
       open = true;
+      // Filling a stroke takes the longer, the more often it crosses itself: piece by piece it is far quicker. Dashes
+      // need the whole.
+      if (curve.dashed || path.elementCount() < kPiece) continue;
+      p.drawPath(path);
+      path = QPainterPath(at);
     }
-    QPen pen(colour, 1.5);
-    if (curve.dashed) pen.setDashPattern({3.0, 2.0});
-    p.setPen(pen);
     p.drawPath(path);
   }
   if (chart.marker && std::isfinite(chart.marker->x()) && std::isfinite(chart.marker->y())) {

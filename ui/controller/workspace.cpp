@@ -16,8 +16,15 @@
 namespace heft {
 namespace {
 
-constexpr int kEstimateDelay = 350;                                      ///< [ms] after the last edit
-enum EditKind { kMarks = 1, kShape, kSettings, kExport, kCorrections };  // Those of recording_list.cpp follow.
+constexpr int kEstimateDelay = 350;  ///< [ms] after the last edit
+enum EditKind {
+  kMarks = 1,
+  kShape,
+  kSettings,
+  kExport,
+  kCorrections,
+  kController
+};  // Those of recording_list.cpp follow.
 
 bool isSession(const QString& path) {
   return path.endsWith(QLatin1String(kSessionExtension.data()), Qt::CaseInsensitive);
@@ -118,6 +125,8 @@ void Workspace::takeSession(Session session) {
   emit shapeChanged();
   emit settingsChanged();
   emit exportChanged();
+  emit controllerChanged();
+  emit proofChanged();
   emit openedChanged();
   emit reportChanged();
   emit sessionChanged();
@@ -296,7 +305,10 @@ bool Workspace::save(const QString& file) {
 template <class T>
 void Workspace::edit(T Session::*part, T after, const QString& text, int mergeKey, void (Workspace::*changed)(),
                      bool estimates) {
-  const int kind = std::is_same_v<T, ShapeChoice> ? kShape : std::is_same_v<T, EstimateSettings> ? kSettings : kExport;
+  const int kind = std::is_same_v<T, ShapeChoice>        ? kShape
+                   : std::is_same_v<T, EstimateSettings> ? kSettings
+                   : std::is_same_v<T, ControllerChoice> ? kController
+                                                         : kExport;
   undo_.push(new EditCommand<T>(text, kind, mergeKey, session_.*part, std::move(after),
                                 [this, part, changed, estimates](const T& value) {
                                   session_.*part = value;
@@ -316,6 +328,17 @@ void Workspace::setSettings(const EstimateSettings& settings, const QString& tex
 
 void Workspace::setExport(const ExportChoice& choice, const QString& text, int mergeKey) {
   edit(&Session::exporting, choice, text, mergeKey, &Workspace::exportChanged, false);
+}
+
+void Workspace::setController(const ControllerChoice& choice, const QString& text) {
+  edit(&Session::controller, choice, text, 0, &Workspace::controllerChanged, false);
+}
+
+void Workspace::setProof(const std::string& json) {
+  session_.proof = json;
+  modified_ = true;
+  emit proofChanged();
+  emit sessionChanged();
 }
 
 void Workspace::setMarks(const std::vector<Mark>& marks, const QString& text, int mergeKey) {

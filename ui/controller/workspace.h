@@ -120,10 +120,13 @@ class Workspace : public QObject {
   void setShape(const ShapeChoice& shape, const QString& text, int mergeKey = 0);
   void setSettings(const EstimateSettings& settings, const QString& text, int mergeKey = 0);
   void setExport(const ExportChoice& choice, const QString& text, int mergeKey = 0);
+  void setController(const ControllerChoice& choice, const QString& text);
   /// Of the shown recording.
   void setCorrections(const Corrections& corrections, const QString& text);
   const Corrections& corrections() const;
   int newMergeKey() { return ++mergeKey_; }
+  /// A heft.prove/1 as JSON text: a result, which no undo takes back.
+  void setProof(const std::string& json);
   /// View state: kept in the session, never undone.
   void setStep(const QString& id);
 
@@ -139,6 +142,8 @@ class Workspace : public QObject {
   void settingsChanged();
   void exportChanged();
   void correctionsChanged();
+  void controllerChanged();
+  void proofChanged();
   /// Anything in the session changed, results included.
   void sessionChanged();
   /// busy() would answer differently.

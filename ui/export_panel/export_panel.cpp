@@ -24,6 +24,7 @@
 #include "ui/export_panel/export_text.h"
 #include "ui/export_panel/file_preview.h"
 #include "ui/export_panel/mounted_list.h"
+#include "ui/export_panel/proof_card.h"
 #include "ui/reality_panel/open_question.h"
 #include "ui/widgets/basics.h"
 #include "ui/widgets/choice_card.h"
@@ -40,7 +41,9 @@ QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), 
 
 }  // namespace
 
-ExportPanel::ExportPanel(const StudioParts& parts) : StepPanel(parts), preview_(new FilePreview) {
+ExportPanel::ExportPanel(const StudioParts& parts)
+    : StepPanel(parts), preview_(new FilePreview), proof_(new ProofCard(parts, this)) {
+  connect(proof_, &ProofCard::changed, this, &ExportPanel::refresh);
   connect(preview_, &FilePreview::copyWanted, this, &ExportPanel::copy);
   connect(&workspace(), &Workspace::openedChanged, this, &ExportPanel::refresh);
   connect(&workspace(), &Workspace::reportChanged, this, &ExportPanel::refresh);
@@ -123,6 +126,7 @@ void ExportPanel::refresh() {
     preview_->showNothing(tr("cannot be written"));
   }
   addChecks(column, file, choice);
+  proof_->addTo(column, page()->content());
   column->addStretch(1);
   page()->setSecondButton(
       tr("Copy"), [this] { copy(); }, "copy");
@@ -436,6 +440,7 @@ void ExportPanel::copy() {
 }
 
 std::optional<Result<bool>> ExportPanel::obey(const QStringList& words) {
+  if (auto obeyed = proof_->obey(words)) return obeyed;
   if (words[0] != "export") return std::nullopt;
   const bool replace = words.size() == 4 && words[3] == "replace";
   if (words.size() != 3 && !replace)

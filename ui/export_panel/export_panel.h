@@ -15,6 +15,7 @@ class QVBoxLayout;
 namespace heft {
 
 class FilePreview;
+class ProofCard;
 struct Check;
 struct PayloadFile;
 
@@ -60,6 +61,7 @@ class ExportPanel : public StepPanel {
   Result<PayloadFile> fileNow(const ExportChoice& choice) const;
 
   FilePreview* preview_;
+  ProofCard* proof_;
   std::string text_;                               ///< Of the file shown; empty if it cannot be made.
   std::string refusal_;                            ///< Why there is none.
   std::weak_ptr<const EstimateReport> confirmed_;  ///< To be written although nothing in it can be trusted

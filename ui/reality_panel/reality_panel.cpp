@@ -10,6 +10,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRandomGenerator>
+#include <QStackedWidget>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -34,8 +35,11 @@
 #include "ui/reality_panel/cause_words.h"
 #include "ui/reality_panel/deciding_motion.h"
 #include "ui/reality_panel/difference_pane.h"
+#include "ui/reality_panel/lesson_guide.h"
 #include "ui/reality_panel/practice.h"
 #include "ui/reality_panel/reality_page.h"
+#include "ui/reality_panel/what_if_knobs.h"
+#include "ui/reality_panel/what_if_pane.h"
 #include "ui/report/session_report.h"
 #include "ui/robot_view/robot_view.h"
 #include "ui/theme/theme.h"
@@ -79,9 +83,16 @@ bool sameMarks(const std::vector<Mark>& a, const std::vector<Mark>& b) {
 RealityPanel::RealityPanel(const StudioParts& parts)
     : StepPanel(parts),
       pane_(new DifferencePane(parts.plots ? parts.plots->timeAxis() : nullptr, parts.playback)),
+      whatIf_(new WhatIfKnobs(parts, this)),
+      lesson_(new LessonGuide(parts, whatIf_, this)),
+      panes_(new QStackedWidget),
       findings_(onlyChild<RealityFindings>(*parts.workspace)),
       found_(findings_->found) {
   parts.followJobs(&jobs_);
+  panes_->addWidget(pane_);
+  panes_->addWidget(whatIf_->pane());
+  connect(whatIf_, &WhatIfKnobs::changed, this, &RealityPanel::refresh);
+  connect(lesson_, &LessonGuide::changed, this, &RealityPanel::refresh);
   if (parts.view) {
     motion_ = new DecidingMotion(parts.workspace, parts.view, parts.playback, this);
     parts.followJobs(motion_->runner());
@@ -160,9 +171,14 @@ StepState RealityPanel::state() const {
                                           : StepState{P::done, Light::look, tr("check the rig")};
 }
 
-QWidget* RealityPanel::ownPane() { return pane_; }
+QWidget* RealityPanel::ownPane() { return panes_; }
+
+StepPanel::Below RealityPanel::below() const {
+  return whatIf_->on() || (looking_ && found()) ? Below::own : Below::plots;
+}
 
 QString RealityPanel::hint() const {
+  if (whatIf_->on()) return tr("Drag a slider; the recording stays as it is");
   return riddle() ? tr("Look at the curves below the arm, then guess")
                   : tr("Apply a correction to see what it changes · Ctrl+Z to undo");
 }

@@ -13,12 +13,15 @@
 #include "ui/steps/step_panel.h"
 
 class QProgressBar;
+class QStackedWidget;
 class QVBoxLayout;
 
 namespace heft {
 
 class DecidingMotion;
 class DifferencePane;
+class LessonGuide;
+class WhatIfKnobs;
 struct CardActions;
 struct OpenRecording;
 
@@ -32,7 +35,7 @@ class RealityPanel : public StepPanel {
   void entered() override;
   void left() override;
   void setDetailsShown(bool shown) override;
-  Below below() const override { return looking_ && found() ? Below::own : Below::plots; }
+  Below below() const override;
   QWidget* ownPane() override;
   double viewShare() const override { return 0.5; }
   QString hint() const override;
@@ -57,6 +60,8 @@ class RealityPanel : public StepPanel {
   using Found = RealityFindings::Found;
   void refresh();
   void showWaiting();
+  void showKnobs();
+  void showLesson();
   void showReport(const Found& found);
   Found* found();
   const Found* found() const;
@@ -83,6 +88,9 @@ class RealityPanel : public StepPanel {
 
   JobRunner jobs_;
   DifferencePane* pane_;
+  WhatIfKnobs* whatIf_;
+  LessonGuide* lesson_;
+  QStackedWidget* panes_;             ///< The difference, or what the knobs do
   DecidingMotion* motion_ = nullptr;  ///< Null without a 3D view.
   QProgressBar* bar_ = nullptr;       ///< While looking; of the page.
   RealityFindings* findings_;

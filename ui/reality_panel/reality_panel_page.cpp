@@ -4,6 +4,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRandomGenerator>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
@@ -15,9 +16,12 @@
 #include "ui/reality_panel/cause_words.h"
 #include "ui/reality_panel/deciding_motion.h"
 #include "ui/reality_panel/difference_pane.h"
+#include "ui/reality_panel/lesson_guide.h"
 #include "ui/reality_panel/practice.h"
 #include "ui/reality_panel/reality_page.h"
 #include "ui/reality_panel/reality_panel.h"
+#include "ui/reality_panel/what_if_knobs.h"
+#include "ui/reality_panel/what_if_pane.h"
 #include "ui/wrench_plots/recording_pane.h"
 
 namespace heft {
@@ -43,11 +47,35 @@ void RealityPanel::showWaiting() {
   });
 }
 
+void RealityPanel::showKnobs() {
+  QVBoxLayout* column = page()->restart(
+      tr("What if …?"),
+      tr("Move one slider: the curves and the numbers below the arm follow your hand. The recording stays "
+         "as it is."));
+  whatIf_->addTo(column, page()->content());
+  column->addStretch(1);
+  page()->setMainButton(tr("Back to the check"), [this] { whatIf_->setOn(false); });
+  page()->setSecondButton(tr("All off"), [this] { whatIf_->allOff(); });
+}
+
+void RealityPanel::showLesson() {
+  QVBoxLayout* column = page()->restart(lesson_->title(), lesson_->words());
+  lesson_->addTo(column, page()->content());
+  column->addStretch(1);
+  if (!lesson_->asking())
+    page()->setMainButton(tr("Next"), [this] { lesson_->next(); });
+  else
+    page()->setMainButton(lesson_->solved() ? tr("End the lesson") : QString(), [this] { lesson_->end(); });
+  page()->setSecondButton(lesson_->first() ? tr("End the lesson") : tr("Back"),
+                          [this] { lesson_->first() ? lesson_->end() : lesson_->back(); });
+}
+
 void RealityPanel::refresh() {
   bar_ = nullptr;
   const auto opened = workspace().opened();
   const int position = page()->scrollPosition();
   pane_->showReport(report(), witnesses(), riddle());
+  panes_->setCurrentWidget(whatIf_->on() ? static_cast<QWidget*>(whatIf_->pane()) : pane_);
   arrange();
   markPull();
   page()->setSecondButton({});
@@ -58,6 +86,11 @@ void RealityPanel::refresh() {
                   tr("Open a recording first, or take one from the menu Practice."))
         ->addStretch(1);
     page()->setMainButton(tr("Go to Record"), [this] { parts().goTo(Step::record); });
+  } else if (lesson_->on()) {
+    showLesson();
+  } else if (whatIf_->on()) {
+    showKnobs();
+    page()->setScrollPosition(position);
   } else if (riddle()) {
     QVBoxLayout* column = page()->restart(tr("What is wrong with this recording?"),
                                           tr("One fault of the rig is hidden in it. Look, then guess."));
@@ -72,6 +105,7 @@ void RealityPanel::refresh() {
                does);
     column->addStretch(1);
     page()->setMainButton({});
+    page()->setSecondButton(tr("What if …?"), [this] { whatIf_->setOn(true); });
   } else if (jobs_.running()) {
     showWaiting();
   } else if (!found()) {
@@ -85,6 +119,7 @@ void RealityPanel::refresh() {
     page()->setMainButton(tr("Look for causes"), [this] { diagnose(); });
   } else {
     showReport(*found());
+    if (!isOfPoses()) page()->setSecondButton(tr("What if …?"), [this] { whatIf_->setOn(true); });
     page()->setScrollPosition(position);
   }
   emit stateChanged();

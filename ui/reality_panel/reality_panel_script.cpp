@@ -10,9 +10,11 @@
 #include "ui/controller/diagnosis.h"
 #include "ui/controller/workspace.h"
 #include "ui/reality_panel/difference_pane.h"
+#include "ui/reality_panel/lesson_guide.h"
 #include "ui/reality_panel/practice.h"
 #include "ui/reality_panel/reality_page.h"
 #include "ui/reality_panel/reality_panel.h"
+#include "ui/reality_panel/what_if_knobs.h"
 
 namespace heft {
 
@@ -30,6 +32,12 @@ void RealityPanel::addActions(const StudioMenus& menus) {
   QAction* riddle = menus.practice->addAction(tr("&A recording with a hidden fault"), this,
                                               [this] { practise(QRandomGenerator::global()->bounded(1u, 1000000u)); });
   riddle->setShortcut(QKeySequence("Ctrl+Shift+P"));
+  menus.practice->addAction(tr("&What if …?"), this, [this] {
+    if (!workspace().opened()) return parts().say(Severity::info, tr("Open a recording first."));
+    parts().goTo(Step::realityCheck);
+    whatIf_->setOn(true);
+  });
+  lesson_->addActions(menus.practice, this);
   menus.practice->addSeparator();
   for (unsigned seed = 1; seed <= 9; ++seed)
     menus.practice->addAction(tr("Riddle &%1").arg(seed), this, [this, seed] { practise(seed); });
@@ -38,6 +46,8 @@ void RealityPanel::addActions(const StudioMenus& menus) {
 std::optional<Result<bool>> RealityPanel::obey(const QStringList& words) {
   const QString& verb = words[0];
   const auto arguments = words.size() - 1;
+  if (auto obeyed = whatIf_->obey(words)) return obeyed;
+  if (auto obeyed = lesson_->obey(words)) return obeyed;
   if (verb == "diagnose" && arguments == 0) {
     if (!workspace().opened()) return refusal(tr("diagnose needs an open recording."));
     diagnose();

@@ -1,41 +1,38 @@
 #include "ui/report/session_report.h"
 
-#include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QFileInfo>
 #include <QLocale>
-#include <QPageLayout>
-#include <QPdfWriter>
-#include <QTextDocument>
-#include <QTextFrame>
-#include <QTextTable>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/json_file.h"
 #include "ui/charts/chart.h"
+#include "ui/controller/entry_costs.h"
+#include "ui/controller/only_child.h"
+#include "ui/models/entry_text.h"
 #include "ui/models/numbers.h"
+#include "ui/models/proof_text.h"
 #include "ui/models/result_text.h"
 #include "ui/reality_panel/cause_card.h"
 #include "ui/reality_panel/cause_words.h"
 #include "ui/reality_panel/open_question.h"
 #include "ui/reality_panel/reality_page.h"
+#include "ui/report/paper.h"
 
 namespace heft {
+
+using paper::escaped, paper::heading, paper::paragraph, paper::row, paper::table;
+
 namespace {
 
 struct Words {
   Q_DECLARE_TR_FUNCTIONS(SessionReport)
 };
 
-constexpr int kWidth = 680;  // [px] of pictures
-const QString kBodyMargin = QStringLiteral("margin:24px auto");
-
-QString escaped(const QString& text) { return text.toHtmlEscaped().replace('\n', QStringLiteral("<br>")); }
-
-QString pictureOf(const QImage& image, const QString& what, int width = kWidth) {
+QString pictureOf(const QImage& image, const QString& what, int width = paper::kWidth) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
@@ -46,21 +43,7 @@ QString pictureOf(const QImage& image, const QString& what, int width = kWidth) 
 }
 
 QString pictureOf(const Chart& chart, int height = 190) {
-  return pictureOf(chartImage(chart, {kWidth, height}, themeOf(ThemeKind::light)), chart.yTitle);
-}
-
-QString heading(const QString& text) { return QStringLiteral("<h2>%1</h2>\n").arg(escaped(text)); }
-QString paragraph(const QString& text) { return QStringLiteral("<p>%1</p>\n").arg(escaped(text)); }
-
-QString row(const QStringList& cells, bool head = false) {
-  QString out = QStringLiteral("<tr>");
-  for (const QString& cell : cells)
-    out += head ? QStringLiteral("<th align=\"left\">%1</th>").arg(escaped(cell))
-                : QStringLiteral("<td>%1</td>").arg(escaped(cell));
-  return out + QStringLiteral("</tr>\n");
-}
-QString table(const QString& rows) {
-  return QStringLiteral("<table cellspacing=\"0\" cellpadding=\"3\">\n%1</table>\n").arg(rows);
+  return pictureOf(chartImage(chart, {paper::kWidth, height}, themeOf(ThemeKind::light)), chart.yTitle);
 }
 
 /// Three channels of the recording against the simulation, or their difference, thinned to what a page can show.
@@ -139,6 +122,26 @@ QString resultPart(Workspace& workspace, const EstimateReport& report) {
     out += QStringLiteral("</ul>\n");
   }
   return out;
+}
+
+QString entryPart(Workspace& workspace) {
+  const auto cost = onlyChild<EntryCosts>(workspace)->cost();
+  if (!cost) return {};
+  const ControllerChoice& choice = workspace.session().controller;
+  const EntryText text = describeEntry(*cost, {choice.collisionForce, choice.collisionTorque, choice.stiffness});
+  QString rows;
+  for (const DetailText& d : text.rows) rows += row({d.name, d.value});
+  return heading(Words::tr("What today’s entry costs")) + paragraph(text.headline + ' ' + text.consequence) +
+         table(rows) + (text.note.isEmpty() ? QString() : paragraph(text.note));
+}
+
+QString proofPart(const Workspace& workspace, const EstimateReport& report) {
+  const auto text = describeProof(workspace.session().proof, &report.payload);
+  if (!text) return {};
+  QString out = heading(Words::tr("Proof")) + QStringLiteral("<p><b>%1</b></p>\n").arg(escaped(text->headline));
+  if (text->outdated) out += paragraph(Words::tr("It is of other numbers than these."));
+  for (const auto& reason : text->reasons) out += paragraph((reason.text + ' ' + reason.remedy).trimmed());
+  return out + paragraph(text->facts.join(' '));
 }
 
 QString marksPart(const Workspace& workspace) {
@@ -221,20 +224,13 @@ QString sessionReportHtml(const ReportParts& parts) {
   Workspace& workspace = *parts.workspace;
   const auto opened = workspace.opened();
   const QString title = Words::tr("Heft report: %1").arg(opened ? QFileInfo(opened->path).fileName() : QString());
-  QString out =
-      QStringLiteral(
-          "<!DOCTYPE html>\n<html lang=\"%1\"><head><meta charset=\"utf-8\"><title>%2</title>\n<style>"
-          "body{font-family:Inter,'Noto "
-          "Sans',sans-serif;font-size:14px;color:#1C2630;background:#fff;max-width:720px;%3}"
-          "h1{font-size:24px}h2{font-size:18px;margin-top:24px}h3{font-size:14px}"
-          "td,th{padding:3px 16px 3px 0;vertical-align:top}th{color:#4C5966}</style></head><body>\n<h1>%2</h1>\n")
-          .arg(QLocale().name().left(2), escaped(title), kBodyMargin);
+  QString out = paper::beginning(title);
   out += paragraph(Words::tr("Heft Studio %1, %2")
                        .arg(QCoreApplication::applicationVersion(),
                             QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat)));
-  if (!opened) return out + paragraph(Words::tr("Nothing is open.")) + QStringLiteral("</body></html>\n");
+  if (!opened) return out + paragraph(Words::tr("Nothing is open.")) + paper::ending();
   const auto report = workspace.report();
-  if (report) out += resultPart(workspace, *report);
+  if (report) out += resultPart(workspace, *report) + entryPart(workspace) + proofPart(workspace, *report);
   if (!parts.view.isNull()) out += pictureOf(parts.view, Words::tr("The arm as it moved"));
   out += recordingPart(*opened);
   if (report && report->series.time.size() > 2)
@@ -243,27 +239,8 @@ QString sessionReportHtml(const ReportParts& parts) {
         out += pictureOf(wrenchChart(*report, torque, difference), difference ? 140 : 190);
   out += marksPart(workspace);
   if (parts.diagnosis) out += diagnosisPart(workspace, *parts.diagnosis);
-  return out + QStringLiteral("</body></html>\n");
+  return out + paper::ending();
 }
-
-namespace {
-
-/// A table that a page's end would cut begins on the next page, if one page holds it.
-void keepTogether(QTextDocument& document) {
-  const double high = document.pageSize().height();
-  for (QTextFrame* frame : document.rootFrame()->childFrames()) {
-    auto* table = qobject_cast<QTextTable*>(frame);
-    if (!table) continue;
-    const QRectF place = document.documentLayout()->frameBoundingRect(table);
-    const bool cut = std::floor(place.top() / high) != std::floor((place.bottom() - 1.0) / high);
-    if (!cut || place.height() > 0.9 * high) continue;
-    QTextTableFormat format = table->format();
-    format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
-    table->setFormat(format);
-  }
-}
-
-}  // namespace
 
 Result<bool> writeSessionReport(const ReportParts& parts, const QString& file, bool replace) {
   const bool pdf = file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive);
@@ -273,27 +250,7 @@ Result<bool> writeSessionReport(const ReportParts& parts, const QString& file, b
     return Error{Words::tr("%1 exists already and was not replaced.").arg(file).toStdString()};
   const QString html = sessionReportHtml(parts);
   if (!pdf) return writeTextFile(file.toStdString(), html.toStdString());
-  QBuffer bytes;
-  bytes.open(QIODevice::WriteOnly);
-  QPdfWriter writer(&bytes);
-  writer.setPageSize(QPageSize(QPageSize::A4));
-  writer.setPageMargins(QMarginsF(14, 14, 14, 14), QPageLayout::Millimeter);
-  writer.setResolution(150);
-  writer.setTitle(Words::tr("Heft report"));
-  writer.setCreator(QStringLiteral("Heft Studio"));
-  QTextDocument document;
-  document.setDefaultFont(uiFont(type::kSection));
-  document.setDocumentMargin(0.0);
-  // The page's margins are the paper's.
-  document.setHtml(QString(html).replace(kBodyMargin, QStringLiteral("margin:0")));
-  // Laid out as wide as its pictures and printed to fit: with no page size of its own Qt adds margins and cuts them
-  // off.
-  const QRectF paper = writer.pageLayout().paintRectPixels(writer.resolution());
-  const double wide = kWidth + 8.0, high = std::floor(wide * paper.height() / paper.width());
-  document.setPageSize(QSizeF(wide, high));
-  keepTogether(document);
-  document.print(&writer);
-  return writeTextFile(file.toStdString(), bytes.data().toStdString());
+  return writeTextFile(file.toStdString(), paper::pdf(html, Words::tr("Heft report")).toStdString());
 }
 
 }  // namespace heft

@@ -2,38 +2,13 @@
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
-#include <algorithm>
-#include <cmath>
-#include <optional>
 
+#include "ui/results/payload_form.h"
 #include "ui/widgets/basics.h"
 
 namespace heft {
-namespace {
-
-constexpr int kPairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
-
-QString text(double value) {
-  QLocale locale;
-  locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  return locale.toString(value, 'g', 7);
-}
-
-/// The user's decimal sign, or a point.
-std::optional<double> number(const QLineEdit* field) {
-  const QString typed = field->text().trimmed();
-  bool ok = false;
-  double value = QLocale().toDouble(typed, &ok);
-  if (!ok) value = QLocale::c().toDouble(typed, &ok);
-  return ok && std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-}  // namespace
 
 KnownValuesDialog::KnownValuesDialog(const PartialPayload& known, QWidget* parent) : QDialog(parent), values_(known) {
   setWindowTitle(tr("What do you know already?"));
@@ -45,38 +20,10 @@ KnownValuesDialog::KnownValuesDialog(const PartialPayload& known, QWidget* paren
       wrappedLabel(tr("From a scale or from CAD. Heft compares with it and changes nothing; leave empty what you "
                       "do not know."),
                    "answer", this));
-  const auto field = [&](const char* name, const QString& accessible) {
-    auto* edit = new QLineEdit(this);
-    edit->setObjectName(name);
-    edit->setAccessibleName(accessible);
-    edit->setPlaceholderText(tr("not known"));
-    dimPlaceholder(edit);
-    return edit;
-  };
-  mass_ = field("knownMass", tr("Weight in kg"));
-  if (known.mass) mass_->setText(text(*known.mass));
-  form->addRow(tr("Weight [kg]"), mass_);
-  auto* centre = new QHBoxLayout;
-  for (int i = 0; i < 3; ++i) {
-    com_[i] = field("knownCom", tr("Centre of mass %1 in mm").arg(QChar("xyz"[i])));
-    if (known.com) com_[i]->setText(text(1e3 * (*known.com)(i)));
-    centre->addWidget(com_[i]);
-  }
-  form->addRow(tr("Centre x, y, z [mm]"), centre);
-  const char* const names[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
-  auto* main = new QHBoxLayout;
-  auto* products = new QHBoxLayout;
-  for (int k = 0; k < 6; ++k) {
-    inertia_[k] = field("knownInertia", tr("Inertia %1 in kg cm²").arg(QLatin1String(names[k])));
-    if (known.inertiaCom) inertia_[k]->setText(text(1e4 * (*known.inertiaCom)(kPairs[k][0], kPairs[k][1])));
-    (k < 3 ? main : products)->addWidget(inertia_[k]);
-  }
-  form->addRow(tr("Ixx, Iyy, Izz [kg cm²]"), main);
-  form->addRow(tr("Ixy, Ixz, Iyz [kg cm²]"), products);
-  form->addRow(
-      wrappedLabel(tr("Centre from the sensor’s origin, inertia about the centre of mass, along the sensor’s axes. "
-                      "Products as in the inertia matrix."),
-                   "caption", this));
+  fields_ = new PayloadForm(known,
+                            tr("Centre from the sensor’s origin, inertia about the centre of mass, along the sensor’s "
+                               "axes. Products as in the inertia matrix."),
+                            form, this);
   problem_ = wrappedLabel({}, "body", this);
   form->addRow(problem_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
@@ -89,39 +36,10 @@ KnownValuesDialog::KnownValuesDialog(const PartialPayload& known, QWidget* paren
 }
 
 bool KnownValuesDialog::read() {
-  PartialPayload out;
-  const auto fail = [&](const QString& sentence) {
-    problem_->setText(sentence);
-    return false;
-  };
-  if (!mass_->text().trimmed().isEmpty()) {
-    out.mass = number(mass_);
-    if (!out.mass || *out.mass <= 0) return fail(tr("The weight should be a number above zero."));
-  }
-  const auto filled = [](const auto& fields) {
-    return std::count_if(fields.begin(), fields.end(),
-                         [](const QLineEdit* f) { return !f->text().trimmed().isEmpty(); });
-  };
-  if (filled(com_) > 0) {
-    Vector3d com;
-    for (int i = 0; i < 3; ++i) {
-      const auto value = number(com_[i]);
-      if (!value) return fail(tr("The centre needs three numbers, or none."));
-      com(i) = 1e-3 * *value;
-    }
-    out.com = com;
-  }
-  if (filled(inertia_) > 0) {
-    Matrix3d inertia;
-    for (int k = 0; k < 6; ++k) {
-      const auto value = k >= 3 && inertia_[k]->text().trimmed().isEmpty() ? std::optional(0.0) : number(inertia_[k]);
-      if (!value) return fail(tr("The inertia needs Ixx, Iyy and Izz, or nothing; empty products count as zero."));
-      inertia(kPairs[k][0], kPairs[k][1]) = inertia(kPairs[k][1], kPairs[k][0]) = 1e-4 * *value;
-    }
-    out.inertiaCom = inertia;
-  }
-  values_ = out;
-  return true;
+  const auto typed = fields_->read();
+  problem_->setText(fields_->problem());
+  if (typed) values_ = *typed;
+  return typed.has_value();
 }
 
 }  // namespace heft

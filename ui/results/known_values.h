@@ -1,14 +1,14 @@
 #pragma once
 // What the user knows from a scale or from CAD, to compare the estimate with.
 #include <QDialog>
-#include <array>
 
 #include "core/payload/inertial_parameters.h"
 
 class QLabel;
-class QLineEdit;
 
 namespace heft {
+
+class PayloadForm;
 
 /// Empty fields are not known. Weight in kg, centre in mm from the sensor's origin, inertia in kg cm² about the centre
 /// of mass, sensor axes.
@@ -22,9 +22,7 @@ class KnownValuesDialog : public QDialog {
   /// Reads the fields; false, with a sentence shown, where they are half filled or impossible.
   bool read();
 
-  QLineEdit* mass_;
-  std::array<QLineEdit*, 3> com_{};
-  std::array<QLineEdit*, 6> inertia_{};  ///< xx, yy, zz, xy, xz, yz
+  PayloadForm* fields_;
   QLabel* problem_;
   PartialPayload values_;
 };

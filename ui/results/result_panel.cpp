@@ -10,6 +10,7 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "ui/results/detail_rows.h"
 #include "ui/results/mass_scale.h"
 #include "ui/results/share_rows.h"
 #include "ui/widgets/basics.h"
@@ -120,6 +121,7 @@ void ResultPanel::showResult(const ResultText& result) {
         "caption", content));
   }
   addKnown(column, result.known);
+  if (further_ && !result.withheld) further_(column, content);
   column->addStretch(1);
   setSecondButton(
       tr("All methods"), [this] { emit methodsWanted(); }, "table");
@@ -350,7 +352,7 @@ void ResultPanel::addKnown(QVBoxLayout* column, const std::vector<DetailText>& k
   if (!known.empty()) {
     column->addSpacing(4);
     column->addWidget(styledLabel(tr("Compared with what you know"), "sectionTitle", content));
-    addRows(column, known);
+    addDetailRows(column, known, content);
   }
   auto* enter =
       new QPushButton(known.empty() ? tr("Compare with a scale or CAD …") : tr("Change what you know …"), content);
@@ -360,32 +362,10 @@ void ResultPanel::addKnown(QVBoxLayout* column, const std::vector<DetailText>& k
   column->addWidget(enter, 0, Qt::AlignLeft);
 }
 
-void ResultPanel::addRows(QVBoxLayout* column, const std::vector<DetailText>& rows) {
-  QWidget* content = this->content();
-  auto* grid = new QGridLayout;
-  grid->setHorizontalSpacing(12);
-  grid->setVerticalSpacing(4);
-  grid->setColumnStretch(1, 1);
-  int r = 0;
-  for (const DetailText& detail : rows) {
-    QLabel* name = styledLabel(detail.name, "caption", content);
-    QLabel* value = styledLabel(detail.value, "detailValue", content);
-    value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    value->setWordWrap(true);
-    name->setToolTip(detail.tip);
-    value->setToolTip(detail.tip);
-    grid->addWidget(name, r, 0);
-    grid->addWidget(value, r, 1);
-    ++r;
-  }
-  column->addLayout(grid);
-}
-
 void ResultPanel::addDetails(QVBoxLayout* column, const std::vector<DetailText>& details) {
   column->addSpacing(4);
   column->addWidget(styledLabel(tr("Details"), "sectionTitle", content()));
-  addRows(column, details);
+  addDetailRows(column, details, content());
   auto* copy = new QPushButton(tr("Copy the details"), content());
   copy->setObjectName("copyDetails");
   copy->setToolTip(tr("As a table for a spreadsheet or a message"));

@@ -25,6 +25,8 @@ class ResultPanel : public PanelPage {
   /// The engineer's rows: method, residuals, sensor zero.
   void setDetailsShown(bool shown);
   bool detailsShown() const { return details_; }
+  /// Adds more to the end of a result's page: the column, and the parent of what stands in it.
+  void setFurther(std::function<void(QVBoxLayout*, QWidget*)> further) { further_ = std::move(further); }
 
  signals:
   void estimateWanted();
@@ -43,9 +45,9 @@ class ResultPanel : public PanelPage {
   void addAdvice(QVBoxLayout* column, const QString& advice);
   void addShares(QVBoxLayout* column, const std::vector<ShareText>& shares);
   void addKnown(QVBoxLayout* column, const std::vector<DetailText>& known);
-  void addRows(QVBoxLayout* column, const std::vector<DetailText>& rows);
   void addDetails(QVBoxLayout* column, const std::vector<DetailText>& details);
 
+  std::function<void(QVBoxLayout*, QWidget*)> further_;
   bool details_ = false;
   std::function<void()> again_;  ///< Shows the same once more, after "Details" was switched.
 };

@@ -12,6 +12,7 @@
 #include "ui/models/result_text.h"
 #include "ui/models/units.h"
 #include "ui/reality_panel/open_question.h"
+#include "ui/results/entry_card.h"
 #include "ui/results/known_values.h"
 #include "ui/results/method_pane.h"
 #include "ui/results/result_panel.h"
@@ -19,8 +20,13 @@
 namespace heft {
 
 ResultStep::ResultStep(const StudioParts& parts)
-    : StepPanel(parts, new ResultPanel), panel_(static_cast<ResultPanel*>(page())), methods_(new MethodPane) {
+    : StepPanel(parts, new ResultPanel),
+      panel_(static_cast<ResultPanel*>(page())),
+      methods_(new MethodPane),
+      entry_(new EntryCard(parts, this)) {
   parts.followJobs(&jobs_);
+  panel_->setFurther([this](QVBoxLayout* column, QWidget* content) { entry_->addTo(column, content); });
+  connect(entry_, &EntryCard::changed, this, &ResultStep::refresh);
   connect(panel_, &ResultPanel::recordWanted, this, [this] { this->parts().goTo(Step::record); });
   connect(panel_, &ResultPanel::causeWanted, this, [this] { this->parts().goTo(Step::realityCheck); });
   connect(panel_, &ResultPanel::shapeWanted, this, [this] { this->parts().goTo(Step::shape); });
@@ -100,22 +106,30 @@ void ResultStep::addActions(const StudioMenus& menus) {
   });
   action->setShortcut(QKeySequence("Ctrl+M"));
   menus.tools->addAction(tr("Compare with a scale or &CAD …"), this, &ResultStep::askKnown);
+  menus.tools->addAction(tr("What the controller is &set to …"), entry_, &EntryCard::ask);
 }
 
 std::optional<Result<bool>> ResultStep::obey(const QStringList& words) {
+  if (auto obeyed = entry_->obey(words)) return obeyed;
   if (words[0] != "compare" || words.size() != 1) return std::nullopt;
   if (!workspace().opened()) return Result<bool>(Error{tr("compare needs an open recording.").toStdString()});
   compare();
   return Result<bool>(true);
 }
 
+void ResultStep::entered() { entry_->setShown(true); }
+
+void ResultStep::left() { entry_->setShown(false); }
+
 void ResultStep::setDetailsShown(bool shown) { panel_->setDetailsShown(shown); }
 
 void ResultStep::refresh() {
   const auto opened = workspace().opened();
   const auto report = workspace().report();
+  const int position = panel_->scrollPosition();
   if (opened && report) {
     panel_->showResult(describeResult(*report, known(), openQuestion(workspace())));
+    panel_->setScrollPosition(position);
   } else if (!opened) {
     panel_->showNothing();
   } else if (workspace().busy()) {

@@ -7,6 +7,7 @@
 
 namespace heft {
 
+class EntryCard;
 class MethodPane;
 class ResultPanel;
 
@@ -17,6 +18,8 @@ class ResultStep : public StepPanel {
 
   Step step() const override { return Step::result; }
   StepState state() const override;
+  void entered() override;
+  void left() override;
   void setDetailsShown(bool shown) override;
   Below below() const override { return comparing_ ? Below::own : Below::plots; }
   QWidget* ownPane() override;
@@ -34,6 +37,7 @@ class ResultStep : public StepPanel {
 
   ResultPanel* panel_;
   MethodPane* methods_;
+  EntryCard* entry_;
   JobRunner jobs_;
   bool comparing_ = false;
 };

@@ -48,6 +48,10 @@ class SessionTest : public testing::Test {
     sensor.mass = 0.26;
     sensor.inertiaCom = Vector3d(1e-4, 1e-4, 1e-4).asDiagonal();
     session.exporting.mounted = {{"Sensor body", sensor, true}};
+    session.controller.told = {0.5, Vector3d(0.0, 0.0, 0.04), {}};
+    session.controller.source = "tool.json";
+    session.controller.collisionForce = 25.0;
+    session.proof = R"({"schema":"heft.prove/1"})";
     session.step = "mark";
     return session;
   }
@@ -83,6 +87,13 @@ TEST_F(SessionTest, ComesBackAsItWasSaved) {
   EXPECT_EQ(after->exporting.role, ExportChoice::Role::extraLoad);
   ASSERT_EQ(after->exporting.mounted.size(), 1u);
   EXPECT_TRUE(after->exporting.mounted[0].present);
+  EXPECT_EQ(after->controller.told.mass, 0.5);
+  EXPECT_EQ(after->controller.told.com, before.controller.told.com);
+  EXPECT_FALSE(after->controller.told.inertiaCom);
+  EXPECT_EQ(after->controller.source, "tool.json");
+  EXPECT_EQ(after->controller.collisionForce, 25.0);
+  EXPECT_EQ(after->controller.stiffness, ControllerChoice().stiffness);
+  EXPECT_EQ(after->proof, before.proof);
   EXPECT_EQ(after->step, "mark");
   EXPECT_EQ(after->home, file);
   EXPECT_EQ(sessionText(*after, folder), sessionText(before, folder));
@@ -140,6 +151,8 @@ TEST_F(SessionTest, DamagedFilesGiveOneSentence) {
         R"({"schema":"heft.session/1","recordings":[{"file":"a.csv","marks":[{"from_s":2,"to_s":1,"label":"free"}]}]})",
         R"({"schema":"heft.session/1","shape":{"answer":"given","shape":{"bodies":[{"kind":"egg"}]}}})",
         R"({"schema":"heft.session/1","settings":{"trim":7}})",
+        R"({"schema":"heft.session/1","controller":{"stiffness_n_m":0}})",
+        R"({"schema":"heft.session/1","controller":{"payload":{"mass_kg":-1}}})",
         R"({"schema":"heft.session/1","export":{"mounted":[{"name":"x"}]}})"}) {
     const auto session = parseSession(text, "s.heft", folder);
     ASSERT_FALSE(session.ok()) << text;

@@ -1,0 +1,112 @@
+#include "core/compensation/passport.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/base/say.h"
+#include "core/base/text.h"
+#include "core/compensation/payload_difference.h"
+
+namespace heft {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view kSchema = "heft.passport/1";
+constexpr double kBeyondInterval = 1.96;  // Standard deviations of a 95 % interval
+constexpr double kOnceIn200 = 2.807;      // Standard deviations that a normal number exceeds once in 200
+constexpr std::array kQuantities{"mass_kg",         "com_x_m",         "com_y_m",         "com_z_m",
+                                 "inertia_xx_kgm2", "inertia_xy_kgm2", "inertia_xz_kgm2", "inertia_yy_kgm2",
+                                 "inertia_yz_kgm2", "inertia_zz_kgm2"};
+
+std::string textOf(const json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+struct Numbers {
+  Payload payload;
+  Vector10d std;
+};
+
+Result<Numbers> numbersOf(const json& passport, const std::string& where) {
+  if (!passport.is_object() || textOf(passport, "schema") != kSchema)
+    return Error{heft::say("{} is no passport: its \"schema\" should be \"{}\".", where, kSchema)};
+  auto payload = payloadFromJson(passport.value("payload", json()), where);
+  if (!payload) return payload.error();
+  auto std = payloadFromJson(passport.value("std", json()), where);
+  if (!std) return std.error();
+  return Numbers{*payload, componentsOf(*std)};
+}
+
+}  // namespace
+
+Result<json> passportOf(const PassportContent& content, const EstimateReport& report) {
+  if (content.tool.empty()) return Error{heft::say("A passport needs the tool's name.")};
+  if (report.trust == Trust::none)
+    return Error{heft::say("Nothing in this result can be trusted, so no passport is made of it.")};
+  const json whole = toJson(report);
+  json causes = json::array();
+  for (const PassportCause& cause : content.causes)
+    causes.push_back({{"cause", cause.id}, {"sentence", cause.sentence}, {"applied", cause.applied}});
+  json out{{"schema", kSchema},
+           {"tool", content.tool},
+           {"date", content.date},
+           {"program", content.program},
+           {"looked_for_causes", content.lookedForCauses},
+           {"causes", std::move(causes)},
+           {"not_seen", content.notSeen},
+           {"proof", content.proof},
+           {"since", nullptr}};
+  for (const char* key : {"recording", "method", "trust", "payload", "std", "interval95", "identifiability", "bias",
+                          "sensor_mount", "findings"})
+    if (const auto found = whole.find(key); found != whole.end()) out[key] = *found;
+  return out;
+}
+
+Result<PassportChange> changeSince(const json& before, const std::string& where, const json& now) {
+  const auto first = numbersOf(before, where);
+  if (!first) return first.error();
+  const auto second = numbersOf(now, heft::say("the new passport"));
+  if (!second) return second.error();
+  if (textOf(before, "tool") != textOf(now, "tool"))
+    return Error{heft::say("{} is the passport of another tool, \"{}\".", where, printable(textOf(before, "tool")))};
+  PassportChange out;
+  out.date = printable(textOf(before, "date"), 40);
+  out.file = where;
+  out.otherMount = before.value("sensor_mount", json()) != now.value("sensor_mount", json());
+  const Vector10d a = componentsOf(first->payload), b = componentsOf(second->payload);
+  const Vector10d variance = first->std.cwiseAbs2() + second->std.cwiseAbs2();
+  const PayloadDifference difference = payloadDifference(b - a, variance.asDiagonal(), second->payload);
+  // A sensor that sits elsewhere tells its centres and inertias in other axes.
+  const int rows = out.otherMount ? 1 : 10;
+  out.massCentre =
+      out.otherMount ? std::abs(difference.off(0)) > kOnceIn200 * difference.std(0) : difference.massCentreDiffers();
+  out.inertia = !out.otherMount && difference.inertiaDiffers();
+  for (int i = 0; i < rows; ++i) {
+    const bool differs =
+        (i < 4 ? out.massCentre : out.inertia) && std::abs(difference.off(i)) > kBeyondInterval * difference.std(i);
+    out.rows.push_back(
+        {kQuantities[static_cast<std::size_t>(i)], a(i), b(i), difference.off(i), difference.std(i), differs});
+  }
+  return out;
+}
+
+json toJson(const PassportChange& change) {
+  json rows = json::array();
+  for (const auto& row : change.rows)
+    rows.push_back({{"quantity", row.quantity},
+                    {"before", row.before},
+                    {"now", row.now},
+                    {"difference", row.difference},
+                    {"std", row.std},
+                    {"more_than_chance", row.moreThanChance}});
+  return {{"date", change.date},
+          {"file", change.file},
+          {"numbers", std::move(rows)},
+          {"mass_and_centre_changed", change.massCentre},
+          {"inertia_changed", change.inertia},
+          {"other_mount", change.otherMount}};
+}
+
+}  // namespace heft
