@@ -101,8 +101,9 @@ FitRows rowsAt(int stride, const FitRowsQuestion& of, const std::optional<Wrench
   out.stride = stride;
   out.runs = of.runs;
   out.rows = narrowed(of.blocks, stride, out.runs);
-  LearnedNoise learned = withTaken(stride == 1 && of.learned ? *of.learned : learnedNoise(out.rows, out.runs, of.known),
-                                   out.rows, out.runs, of.known);
+  const KnownOfNoise known = of.known.at(stride);
+  LearnedNoise learned = withTaken(stride == 1 && of.learned ? *of.learned : learnedNoise(out.rows, out.runs, known),
+                                   out.rows, out.runs, known);
   out.noise = std::move(learned.noise);
   out.weights = std::move(learned.weights);
   out.weighting = bounded(out.noise);
@@ -136,7 +137,7 @@ bool mostlyMotion(const FitRows& band) {
 
 /// With standard deviations that hold although the noise was learned from the same rows.
 FitRows asCertain(FitRows band, const KnownOfNoise& known) {
-  band.whitened /= shortfallOfLearning(band.rows, band.noise, band.runs, known);
+  band.whitened /= shortfallOfLearning(band.rows, band.noise, band.runs, known.at(band.stride));
   return band;
 }
 

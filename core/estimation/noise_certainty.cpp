@@ -115,7 +115,7 @@ NoiseModel scaledToSlowNoise(NoiseModel noise, const WrenchRows& rows, const Noi
   for (int c = 0; c < 6; ++c) {
     if (known.silent[static_cast<std::size_t>(c)] || freedom[c / 3] < kFewestFreedom) continue;
     ArModel& channel = noise.channels[static_cast<std::size_t>(c)];
-    const double scale = std::max(std::sqrt(left[c / 3] / freedom[c / 3]), known.least(c) / channel.sigma);
+    const double scale = std::max(std::sqrt(left[c / 3] / freedom[c / 3]), leastInnovation(channel, known.least(c)) / channel.sigma);
     channel.sigma *= scale;
     noise.whitener.row(c) /= scale;
   }

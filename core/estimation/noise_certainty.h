@@ -8,8 +8,8 @@ namespace heft {
 /// An autoregressive model is learned from all frequencies, most of which are faster than any hand: of slow noise under
 /// a loud white one it sees little. So the sums of whitened residuals over windows are compared with what they would be
 /// if the model were right, 1 - leverage each: restricted likelihood for one scale (Patterson and Thompson 1971, doi
-/// 10.1093/biomet/58.3.545). `rows` and `weights` (6 x K) are those that `noise` was learned from; no channel comes
-/// below `known.least`.
+/// 10.1093/biomet/58.3.545). `rows` and `weights` (6 x K) are those that `noise` was learned from; no
+/// channel's slow noise comes below `known.least`.
 NoiseModel scaledToSlowNoise(NoiseModel noise, const WrenchRows& rows,
                              const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs,
                              const KnownOfNoise& known);

@@ -80,6 +80,8 @@ MatrixXd informationOf(const Triangle& whitened) {
   return information;
 }
 
+double leastInnovation(const ArModel& channel, double least) { return least / std::max(1.0, channel.gain()); }
+
 NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std::vector<Run>& runs, int parameters,
                     const Taken* taken, const Vector6d& least) {
   NoiseModel noise;
@@ -128,7 +130,11 @@ NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std
   }
   covariance *= freedom / std::max(1.0, count);
   // Correlations need many samples; with few the channels are taken as independent.
-  const Vector6d variance = covariance.diagonal().cwiseMax(least.cwiseAbs2()).cwiseMax(Vector6d::Constant(1e-16));
+  Vector6d variance = covariance.diagonal().cwiseMax(Vector6d::Constant(1e-16));
+  for (int c = 0; c < 6; ++c) {
+    const double slowest = leastInnovation(noise.channels[static_cast<std::size_t>(c)], least(c));
+    variance(c) = std::max(variance(c), slowest * slowest);
+  }
   covariance *= count / (count + 60.0);
   covariance.diagonal() = variance;
   for (int c = 0; c < 6; ++c) noise.channels[static_cast<std::size_t>(c)].sigma = std::sqrt(variance(c));

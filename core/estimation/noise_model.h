@@ -1,6 +1,7 @@
 #pragma once
 // What the residual of a good fit looks like: coloured, correlated between channels, now and then a spike.
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "core/estimation/triangle.h"
@@ -29,11 +30,14 @@ using Taken = std::array<MatrixXd, 6>;
 
 /// Fits to residuals (6 x K); `weights` (6 x K in 0..1) leave spikes out. `parameters` is the number of parameters that
 /// the residual was fitted with, for the degrees of freedom; with `taken` the noise is that of the residual and of what
-/// the fit took together, and they need not be counted. No channel's innovations are taken to be below `least` [N, N
-/// m]: readings that stand still because the sensor's steps are coarse are not exact for it (roundingNoise()).
+/// the fit took together, and they need not be counted. No channel's slow noise is taken to be below `least` [N, N m, a
+/// row]: readings that stand still because the sensor's steps are coarse are not exact for it (roundingNoise()).
 NoiseModel fitNoise(const Eigen::Matrix<double, 6, Eigen::Dynamic>& residual,
                     const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs,
                     int parameters, const Taken* taken = nullptr, const Vector6d& least = Vector6d::Zero());
+
+/// Standard deviation that the innovations of `channel` need for slow noise as strong as white noise of `least`.
+double leastInnovation(const ArModel& channel, double least);
 
 /// A noise model with the robust weights of the innovations that it was learned with.
 struct LearnedNoise {
@@ -46,6 +50,8 @@ struct KnownOfNoise {
   std::array<bool, 6> silent{};       ///< Channels that say nothing
   Vector6d least = Vector6d::Zero();  ///< As in fitNoise()
   bool keepAll = false;               ///< However far off, no row is left out of the noise model.
+  /// The same of means of `stride` rows.
+  KnownOfNoise at(int stride) const { return {silent, least / std::sqrt(static_cast<double>(stride)), keepAll}; }
 };
 /// Information about [bias, phi] in whitened rows (16 x 16) with a whisper of a prior's: enough to invert it, far too
 /// little to count where the motion tells anything.

@@ -125,7 +125,9 @@ Understanding asStated(const Recording& recording) {
   const bool poses = recording.meta.kind == RecordingKind::poses;
   if (!poses) out.trouble = sensorTrouble(recording);
   if (!poses) out.held = heldValues(recording.time, recording.wrench);
-  out.steps = readingSteps(recording.wrench, poses ? static_cast<double>(recording.rows()) : recording.duration());
+  const double duration = poses ? static_cast<double>(recording.rows()) : recording.duration();
+  out.steps = out.held.period > 0.0 ? readingSteps(recording.wrench(out.held.rows, Eigen::all), duration)
+                                    : readingSteps(recording.wrench, duration);
   return out;
 }
 

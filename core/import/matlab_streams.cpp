@@ -203,11 +203,16 @@ Result<StreamSet> readMatlabStreams(const std::filesystem::path& path, const Fie
                    heft::say("Save it again, for instance with save('FILE', '-v7')."));
   // A variable says its size before its numbers; what the file cannot hold is damage.
   std::error_code code;
-  const double mostBytes = 1e3 * static_cast<double>(std::filesystem::file_size(path, code)) + 1e6;
+  const auto fileBytes = std::filesystem::file_size(path, code);
+  if (code) return errorAt({set.file, 0, 0}, code.message());
+  const double mostBytes = 1e3 * static_cast<double>(fileBytes) + 1e6;
+  // Damage can send the library back to the same variable without end. None has fewer bytes than a header of version 4.
+  constexpr std::size_t kLeastBytesOfVariable = 20;
+  const auto mostVariables = std::min<std::size_t>(kMostVariables, fileBytes / kLeastBytesOfVariable + 1);
   std::vector<MatVariable> held;
   MatWalk walk;
   double bytes = 0.0;
-  while (held.size() < kMostVariables) {
+  for (std::size_t seen = 0; seen < mostVariables; ++seen) {
     if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
     MatVariable variable(Mat_VarReadNextInfo(file.get()), Mat_VarFree);
     if (!variable) break;
@@ -218,7 +223,6 @@ Result<StreamSet> readMatlabStreams(const std::filesystem::path& path, const Fie
     const bool wanted = variable->class_type == MAT_C_STRUCT || size > 8.0;
     const std::string name(std::string_view(variable->name).substr(0, kMostTextBytes));
     if (!wanted) continue;
-
     if (Mat_VarReadDataAll(file.get(), variable.get()) != 0) continue;
     walk.add(*variable, name, 0);
     held.push_back(std::move(variable));

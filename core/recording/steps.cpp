@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/math/statistics.h"
@@ -24,22 +25,67 @@ std::optional<double> stepOf(std::vector<double> readings) {
   return regular ? std::optional(step) : std::nullopt;
 }
 
+namespace {
+
+/// Of one channel. Two or three values in many readings are steps, too, whatever lies between them.
+double stepOfChannel(const std::vector<double>& readings) {
+  constexpr std::size_t kMany = 20;
+  if (const auto step = stepOf(readings)) return *step;
+  std::vector<double> values = readings;
+  std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  if (readings.size() < kMany || values.size() < 2 || values.size() > 3) return 0.0;
+  return std::min(values[1] - values[0], values.back() - values[values.size() - 2]);
+}
+
+/// Sum of the ways between one mean of `window` readings and the next, in steps; no more than there are readings.
+double stepsPassed(const VectorXd& readings, double step, Eigen::Index window) {
+  double passed = 0.0;
+  for (Eigen::Index from = window; from + window <= readings.size(); from += window) {
+    const double way = readings.segment(from, window).mean() - readings.segment(from - window, window).mean();
+    passed += std::min(std::abs(way) / step, static_cast<double>(window));
+  }
+  return passed;
+}
+
+}  // namespace
+
 ReadingSteps readingSteps(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench, double duration) {
+  constexpr double kWindow = 0.1;  // [s] Hands guide an arm below 2.5 Hz; noise is averaged.
   ReadingSteps out;
   out.duration = duration;
+  const double rows = static_cast<double>(wrench.rows());
+  const auto window = std::max<Eigen::Index>(1, std::lround(rows * kWindow / std::max(duration, kWindow)));
   for (Eigen::Index c = 0; c < 6 && wrench.rows() > 1; ++c) {
-    const auto y = wrench.col(c);
-    const auto step = stepOf({y.begin(), y.end()});
-    if (!step) continue;
-    out.step(c) = *step;
-    for (Eigen::Index k = 1; k < y.size(); ++k) out.changes(c) += y(k) != y(k - 1) ? 1.0 : 0.0;
+    const VectorXd y = wrench.col(c);
+    const double step = stepOfChannel({y.begin(), y.end()});
+    if (step <= 0.0) continue;
+    out.step(c) = step;
+    double way = 0.0;
+    for (Eigen::Index k = 1; k < y.size(); ++k) {
+      out.changes(c) += y(k) != y(k - 1) ? 1.0 : 0.0;
+      way += std::abs(y(k) - y(k - 1));
+    }
+    out.crossings(c) = stepsPassed(y, step, window);
+    // Rounded or not, readings go the same way on average (Buffon's needle): 2 / sqrt(pi) deviations by noise alone.
+    const double each = way / rows, load = out.crossings(c) * step / rows;
+    out.dither(c) = 0.5 * std::sqrt(std::numbers::pi * std::max(0.0, each * each - load * load));
   }
   return out;
 }
 
 Vector6d ReadingSteps::roundingNoise(double seconds) const {
-  const Vector6d fresh = (changes * (seconds / std::max(duration, seconds))).cwiseMax(1.0);
-  return step.cwiseQuotient((12.0 * fresh).cwiseSqrt());
+  const double share = seconds / std::max(duration, seconds);
+  Vector6d out = Vector6d::Zero();
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    if (step(c) <= 0.0) continue;
+    const double phase = 2.0 * std::numbers::pi * dither(c) / step(c);
+    const double ofLoad = std::exp(-phase * phase);
+    out(c) = step(c) * std::sqrt((ofLoad / (share * std::max(crossings(c), 1.0)) +
+                                  (1.0 - ofLoad) / std::max(share * changes(c), 1.0)) /
+                                 12.0);
+  }
+  return out;
 }
 
 }  // namespace heft

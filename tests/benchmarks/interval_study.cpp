@@ -4,6 +4,7 @@
 // and in proportion to it in the others. CLASS: only those whose name contains it.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <random>
 #include <string>
@@ -51,7 +52,8 @@ void logBy(const Logger& logger, Recording& recording, std::mt19937& random) {
   if (logger.stepN > 0.0)
     for (Eigen::Index c = 0; c < 6; ++c) {
       const double step = c < 3 ? logger.stepN : logger.stepN / 20.0;
-      recording.wrench.col(c) = ((recording.wrench.col(c).array() / step).round() * step).matrix().eval();
+      // Ties, which the simulated sensor's own resolution makes, to even: away from zero they would make all loads larger.
+      for (double& reading : recording.wrench.col(c)) reading = std::nearbyint(reading / step) * step;
     }
   if (logger.longestGap <= 0.0) return;
   std::vector<Eigen::Index> kept;

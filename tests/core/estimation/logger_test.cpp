@@ -57,17 +57,27 @@ TEST(HeldReadings, AreFoundWithTheirOwnTimes) {
   EXPECT_EQ(heldValues(time, wrench).period, 0.0) << "a channel that goes on is a reading of its own";
 }
 
-TEST(RoundingNoise, IsThatOfStepsUnlessReadingsMoveOn) {
+TEST(RoundingNoise, LastsUntilTheLoadPassesTheNextStep) {
   Eigen::Matrix<double, Eigen::Dynamic, 6> wrench = Eigen::Matrix<double, Eigen::Dynamic, 6>::Zero(1000, 6);
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
-  for (Eigen::Index k = 0; k < 1000; ++k)
-    wrench.row(k) << std::floor(static_cast<double>(k) / 200.0), std::round(5.0 * normal(random)), normal(random), 0, 0,
-        0;
-  const Vector6d noise = readingSteps(wrench, 1.0).roundingNoise(0.02);
-  EXPECT_NEAR(noise(0), 1.0 / std::sqrt(12.0), 1e-9) << "a mean of readings that stand still is one reading";
-  EXPECT_NEAR(noise(1), 1.0 / std::sqrt(12.0 * 18.8), 0.01);
+  for (Eigen::Index k = 0; k < 1000; ++k) {
+    const double slow = 4.0 * static_cast<double>(k) / 1000.0;
+    wrench.row(k) << std::floor(slow), std::round(5.0 * normal(random)), normal(random),
+        std::round(slow + 0.1 * normal(random)), slow < 2.0 ? 0.0 : 0.5, 0.0;
+  }
+  const ReadingSteps steps = readingSteps(wrench, 1.0);
+  const Vector6d noise = steps.roundingNoise(0.02);
+  EXPECT_NEAR(steps.crossings(0), 3.0, 1e-9);
+  EXPECT_NEAR(noise(0), std::sqrt(50.0 / 3.0 / 12.0), 0.01) << "three independent errors in 50 means";
+  EXPECT_NEAR(noise(1), 1.0 / std::sqrt(12.0 * 18.8), 0.01) << "loud noise makes every reading a new one";
   EXPECT_EQ(noise(2), 0.0);
+  EXPECT_GT(steps.changes(3), 30.0);
+  EXPECT_NEAR(steps.dither(3), 0.1, 0.03);
+  EXPECT_GT(noise(3), 0.6 * noise(0)) << "to and fro over one step is nothing new";
+  EXPECT_NEAR(steps.step(4), 0.5, 1e-9) << "two values are a step, too";
+  EXPECT_NEAR(noise(4), 0.5 * std::sqrt(50.0 / 12.0), 0.01);
+  EXPECT_EQ(noise(5), 0.0);
 }
 
 TEST(Loggers, HeldReadingsCountOnceWithTheMotionOfTheirMoment) {
