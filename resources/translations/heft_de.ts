@@ -1366,7 +1366,7 @@
     </message>
     <message>
         <source>Nobody looked.</source>
-        <translation>Niemand hat danach gesucht.</translation>
+        <translation>Die Realitätsprüfung wurde nicht durchgeführt.</translation>
     </message>
     <message>
         <source>None was found.</source>

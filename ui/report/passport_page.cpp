@@ -81,7 +81,7 @@ QString provedPart(const json& passport) {
 
 QString causesPart(const json& passport) {
   QString out = paper::heading(PassportWords::tr("Causes of misfit"));
-  if (!passport["looked_for_causes"].get<bool>()) return out + paper::paragraph(PassportWords::tr("Nobody looked."));
+  if (!passport["looked_for_causes"].get<bool>()) return out + paper::paragraph(PassportWords::tr("The reality check was not run."));
   if (passport["causes"].empty()) out += paper::paragraph(PassportWords::tr("None was found."));
   for (const json& cause : passport["causes"])
     out += paper::paragraph(textAt(cause, "sentence") + ' ' +
