@@ -1365,7 +1365,7 @@
         <translation>Ursachen von Abweichungen</translation>
     </message>
     <message>
-        <source>Nobody looked.</source>
+        <source>The reality check was not run.</source>
         <translation>Die Realitätsprüfung wurde nicht durchgeführt.</translation>
     </message>
     <message>
