@@ -107,7 +107,9 @@ FitRows rowsAt(int stride, const FitRowsQuestion& of, const std::optional<Wrench
   out.noise = std::move(learned.noise);
   out.weights = std::move(learned.weights);
   out.weighting = bounded(out.noise);
-  out.whitened = honestTriangle(out.rows, out.noise, out.weighting, out.weights, out.runs);
+  const ScoreEquations scores = scoreEquations(out.rows, out.noise, out.weighting, out.weights, out.runs);
+  out.asWeighted = scores.whitened;
+  out.whitened = honestTriangle(scores);
   if (!difference) return out;
   std::vector<Run> same = of.runs;
   const Triangle noise =
@@ -115,11 +117,10 @@ FitRows rowsAt(int stride, const FitRowsQuestion& of, const std::optional<Wrench
   const auto Y = noise.middleCols<10>(kBiasColumns);  // Noise does not reach the columns of the sensor's biases
   out.motionNoise = transposedProduct(Y, Y);
   const Fit with = fitOf(out.whitened);
-  out.whitened = honestTriangle(out.rows, out.noise, out.weighting, out.weights, out.runs, out.motionNoise);
+  out.whitened = honestTriangle(scores, out.motionNoise);
   const Fit without = fitOf(out.whitened);
   const Vector10d unknown = kNoiseUnknown * (out.motionNoise * without.phi);
-  out.whitened = honestTriangle(out.rows, out.noise, out.weighting, out.weights, out.runs, out.motionNoise,
-                                unknown * unknown.transpose());
+  out.whitened = honestTriangle(scores, out.motionNoise, unknown * unknown.transpose());
   const double rows = static_cast<double>(6 * out.rows.size());
   out.share = without.phi.dot(out.motionNoise * without.phi) / rows;
   out.bias = (with.phi - without.phi).cwiseQuotient(without.std).cwiseAbs().maxCoeff();
@@ -128,8 +129,7 @@ FitRows rowsAt(int stride, const FitRowsQuestion& of, const std::optional<Wrench
 
 /// Whether what the motion's noise adds to the information is small beside it in every direction.
 bool mostlyMotion(const FitRows& band) {
-  const Triangle plain = merged(whitenedTriangles(band.rows, band.weighting, band.weights, band.runs, 1));
-  const Matrix10d R = plain.block<10, 10>(kBiasColumns, kBiasColumns);
+  const Matrix10d R = band.asWeighted.block<10, 10>(kBiasColumns, kBiasColumns);
   Matrix10d H = transposedProduct(R, R);
   H.diagonal() += usualSizes().cwiseAbs2().cwiseInverse();
   return generalizedEigen(band.motionNoise, H).values.maxCoeff() < kMostNoise;

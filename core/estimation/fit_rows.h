@@ -22,7 +22,8 @@ struct FitRows {
   /// Sum of Y^T W Y over the part of Y that is noise, as the rows are weighted: it makes every acceleration look larger
   /// than it was, and every inertia smaller.
   Matrix10d motionNoise = Matrix10d::Zero();
-  Triangle whitened = Triangle::Zero();  ///< The whole problem with honest variances and without that bias
+  Triangle asWeighted = Triangle::Zero();  ///< The rows as they are weighted, merged
+  Triangle whitened = Triangle::Zero();    ///< The whole problem with honest variances and without that bias
   /// Largest bias that was taken out, in standard deviations of one of the ten parameters.
   double bias = 0.0;
   /// Share of what the fit leaves over that the motion's noise makes.

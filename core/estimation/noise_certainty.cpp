@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <random>
 
+#include "core/estimation/normal_draws.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft {
@@ -43,21 +42,8 @@ std::vector<WhiteRows> windowSums(const WrenchRows& rows, const NoiseModel& nois
   return out;
 }
 
-/// Standard normal numbers, the same on every platform.
-class Normal {
- public:
-  double operator()() {
-    const auto uniform = [this] { return (static_cast<double>(random_() >> 11) + 0.5) * 0x1.0p-53; };
-    const double radius = std::sqrt(-2.0 * std::log(uniform()));
-    return radius * std::cos(2.0 * std::numbers::pi * uniform());
-  }
-
- private:
-  std::mt19937_64 random_{42};
-};
-
 /// Noise of the model in every run, from a start long before it.
-Noise drawn(const NoiseModel& noise, const std::vector<Run>& runs, Eigen::Index size, Normal& normal) {
+Noise drawn(const NoiseModel& noise, const std::vector<Run>& runs, Eigen::Index size, NormalDraws& normal) {
   constexpr Eigen::Index kBefore = 50;
   const Matrix6d L = inverse(noise.whitener);
   Noise out = Noise::Zero(6, size);
@@ -66,7 +52,7 @@ Noise drawn(const NoiseModel& noise, const std::vector<Run>& runs, Eigen::Index 
     Noise e(6, before + run.to - run.from);
     for (Eigen::Index k = 0; k < e.cols(); ++k) {
       Vector6d u;
-      for (auto& value : u) value = normal();
+      for (auto& value : u) value = normal.normalPair().first;
       e.col(k) = L * u;
       for (int c = 0; c < 6; ++c) {
         const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
@@ -131,7 +117,7 @@ double shortfallOfLearning(const WrenchRows& rows, const NoiseModel& noise, cons
   const NoiseModel weighting = bounded(noise);
   const Noise ones = Noise::Ones(6, rows.size());
   WrenchRows made = rows;
-  Normal normal;
+  NormalDraws normal;
   double sum = 0.0, squares = 0.0, count = 0.0;
   for (Eigen::Index draw = 0; draw < draws; ++draw) {
     made.wrench = drawn(noise, runs, rows.size(), normal);

@@ -16,12 +16,14 @@ using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 /// noise, against which the inertia is measured, comes out some 5 % too weak.
 constexpr int kBeyondBic = 1;
 
-/// Innovation of channel c at block k of a run that has enough blocks before it.
-template <class Row>
-auto predictionError(const ArModel& model, Eigen::Index k, const Row& at) {
-  auto error = at(k);
-  for (int i = 0; i < model.order(); ++i) error -= model.coefficients(i) * at(k - 1 - i);
-  return error;
+/// Coefficients of the six channels, one vector a lag: what a filter of blocks multiplies with.
+std::vector<Vector6d> lagsOf(const NoiseModel& noise) {
+  std::vector<Vector6d> lags(static_cast<std::size_t>(noise.order), Vector6d::Zero());
+  for (int c = 0; c < 6; ++c) {
+    const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
+    for (int i = 0; i < model.order(); ++i) lags[static_cast<std::size_t>(i)](c) = model.coefficients(i);
+  }
+  return lags;
 }
 
 /// Standard deviations of [bias, phi] before the data, in N, N m, kg, kg m, kg m2: far above any tool's.
@@ -205,30 +207,16 @@ NoiseModel without(const NoiseModel& noise, const std::array<bool, 6>& silent) {
 
 Wrenches innovations(const NoiseModel& noise, const Wrenches& residual, const std::vector<Run>& runs) {
   Wrenches out = Wrenches::Zero(6, residual.cols());
+  const std::vector<Vector6d> lags = lagsOf(noise);
   for (const auto& run : runs)
     for (Eigen::Index k = run.from + noise.order; k < run.to; ++k) {
-      Vector6d e;
-      for (int c = 0; c < 6; ++c)
-        e(c) = predictionError(noise.channels[static_cast<std::size_t>(c)], k,
-                               [&](Eigen::Index j) { return residual(c, j); });
+      Vector6d e = residual.col(k);
+      for (std::size_t i = 0; i < lags.size(); ++i)
+        e -= lags[i].cwiseProduct(residual.col(k - 1 - static_cast<Eigen::Index>(i)));
       out.col(k) = noise.whitener * e;
     }
   return out;
 }
-
-namespace {
-
-/// Coefficients of the six channels, one vector a lag: what a filter of blocks multiplies with.
-std::vector<Vector6d> lagsOf(const NoiseModel& noise) {
-  std::vector<Vector6d> lags(static_cast<std::size_t>(noise.order), Vector6d::Zero());
-  for (int c = 0; c < 6; ++c) {
-    const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
-    for (int i = 0; i < model.order(); ++i) lags[static_cast<std::size_t>(i)](c) = model.coefficients(i);
-  }
-  return lags;
-}
-
-}  // namespace
 
 RowWhitener::RowWhitener(const NoiseModel& noise)
     : lags_(lagsOf(noise)), atRest_(Vector6d::Ones()), whitener_(noise.whitener) {
@@ -299,10 +287,10 @@ NoiseModel bounded(const NoiseModel& noise) {
   return out;
 }
 
-Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const NoiseModel& weighting,
-                        const Wrenches& weights, const std::vector<Run>& runs, const Matrix10d& motionNoise,
-                        const Matrix10d& more) {
-  const Triangle plain = merged(whitenedTriangles(rows, weighting, weights, runs, 1));
+ScoreEquations scoreEquations(const WrenchRows& rows, const NoiseModel& noise, const NoiseModel& weighting,
+                              const Wrenches& weights, const std::vector<Run>& runs) {
+  ScoreEquations out;
+  out.whitened = merged(whitenedTriangles(rows, weighting, weights, runs, 1));
   // With z = Wt Fb F^-1 L u (u white; F, Fb the autoregressive filters of noise and weighting, Wt = L^-1 the whitener)
   // the scores are sum_k A_k^T w z_k, so their covariance is that of the rows sent backwards through the same filters.
   using Six = Eigen::Matrix<double, 6, kColumns>;
@@ -310,11 +298,10 @@ Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const N
   const RowWhitener whitener(weighting);
   const std::vector<Vector6d> used = lagsOf(weighting), found = lagsOf(noise);
   const std::size_t lags = std::max(used.size(), found.size());
-  Eigen::Matrix<double, kColumns, kColumns> M = Eigen::Matrix<double, kColumns, kColumns>::Zero();
   Eigen::Matrix<double, Eigen::Dynamic, kColumns> chunk(120, kColumns);
   Eigen::Index filled = 0;
   const auto addUp = [&] {
-    M.noalias() += chunk.topRows(filled).transpose() * chunk.topRows(filled);
+    out.covariance.noalias() += chunk.topRows(filled).transpose() * chunk.topRows(filled);
     filled = 0;
   };
   std::vector<Six> later(lags), filteredLater(lags);  // The blocks after this one, the next first
@@ -342,6 +329,12 @@ Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const N
     }
   }
   addUp();
+  return out;
+}
+
+Triangle honestTriangle(const ScoreEquations& scoresOfRows, const Matrix10d& motionNoise, const Matrix10d& more) {
+  const Triangle& plain = scoresOfRows.whitened;
+  Eigen::Matrix<double, kColumns, kColumns> M = scoresOfRows.covariance;
   M.bottomRightCorner<10, 10>() += more;
   const Eigen::Matrix<double, kColumns, kColumns> A = plain.topLeftCorner<kColumns, kColumns>();
   const VectorXd scale = A.colwise().norm().transpose().cwiseMax(1e-12).cwiseInverse();
@@ -357,6 +350,11 @@ Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const N
   const MatrixXd system = product(left, scores);
   builder.add(system);
   return builder.finish();
+}
+
+Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const NoiseModel& weighting,
+                        const Wrenches& weights, const std::vector<Run>& runs) {
+  return honestTriangle(scoreEquations(rows, noise, weighting, weights, runs));
 }
 
 Eigen::Matrix<double, kColumns, kColumns> scoreCovariance(const WrenchRows& rows, const NoiseModel& noise,

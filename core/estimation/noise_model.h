@@ -109,13 +109,24 @@ std::vector<Triangle> whitenedTriangles(const WrenchRows& rows, const NoiseModel
 constexpr double kLargestGain = 2.5;
 NoiseModel bounded(const NoiseModel& noise);
 
+/// The score equations of rows whitened by `weighting`, with the covariance of their error under the noise that was
+/// found.
+struct ScoreEquations {
+  Triangle whitened;  ///< The rows as they are weighted, merged
+  /// Of the error of whitened.leftCols<16>()^T whitened.col(16)
+  Eigen::Matrix<double, kColumns, kColumns> covariance = Eigen::Matrix<double, kColumns, kColumns>::Zero();
+};
+ScoreEquations scoreEquations(const WrenchRows& rows, const NoiseModel& noise, const NoiseModel& weighting,
+                              const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs);
+
 /// Least squares of rows whitened by `weighting`, judged by the noise that was found: score equations H x = g whose
 /// error has the covariance M. Returned as a triangle R with R^T R = H M^-1 H, so that a fit to R has honest variances;
 /// where both models agree it is the merged whitened triangle itself. `motionNoise` is taken off the payload's part of
 /// H, and `more` is added to M.
+Triangle honestTriangle(const ScoreEquations& scoresOfRows, const Matrix10d& motionNoise = Matrix10d::Zero(),
+                        const Matrix10d& more = Matrix10d::Zero());
 Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const NoiseModel& weighting,
-                        const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs,
-                        const Matrix10d& motionNoise = Matrix10d::Zero(), const Matrix10d& more = Matrix10d::Zero());
+                        const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs);
 
 /// Covariance of A^T W e for the found noise e, when A are the unwhitened rows of the runs (16 x 16) and W the
 /// channels' row weights: the middle of the sandwich for estimators that ignore the noise's colour.

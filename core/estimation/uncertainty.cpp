@@ -1,11 +1,12 @@
 #include "core/estimation/uncertainty.h"
-#include "core/math/linear_algebra.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <random>
+#include <tuple>
 #include <vector>
+
+#include "core/estimation/normal_draws.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft {
 
@@ -17,16 +18,10 @@ constexpr int kPairs = 2000;
 /// Standard normal draws, the same on every platform and in every run.
 const std::vector<Vector10d>& draws() {
   static const std::vector<Vector10d> kDraws = [] {
-    std::mt19937_64 random(42);
-    const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1.0p-53; };
+    NormalDraws random;
     std::vector<Vector10d> out(kPairs);
     for (auto& z : out)
-      for (int i = 0; i < 10; i += 2) {
-        const double radius = std::sqrt(-2.0 * std::log(uniform()));
-        const double angle = 2.0 * std::numbers::pi * uniform();
-        z(i) = radius * std::cos(angle);
-        z(i + 1) = radius * std::sin(angle);
-      }
+      for (int i = 0; i < 10; i += 2) std::tie(z(i), z(i + 1)) = random.normalPair();
     return out;
   }();
   return kDraws;
@@ -135,17 +130,16 @@ std::vector<WeightedV> importanceSample(const MapCost& cost, const Vector10d& mo
 std::vector<WeightedV> walkedSample(const MapCost& cost, const Vector10d& mode, const Matrix10d& L, std::size_t count) {
   constexpr int kLearning = 20000, kWalk = 60000;
   constexpr double kSteps[] = {0.1, 0.3, 0.75};  // Times the spread; 2.4 / sqrt(10) is best for a normal one
-  std::mt19937_64 random(42);
-  const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1.0p-53; };
+  NormalDraws random;
   Vector10d v = mode;
   double here = cost(v);
   const auto walk = [&](const Matrix10d& spread, int steps, const auto& visit) {
     for (int k = 0; k < steps; ++k) {
-      const Vector10d& z = draws()[random() % draws().size()];
-      const double size = kSteps[k % 3] * (random() % 2 ? 1.0 : -1.0);
+      const Vector10d& z = draws()[random.bits() % draws().size()];
+      const double size = kSteps[k % 3] * (random.bits() % 2 ? 1.0 : -1.0);
       const Vector10d next = v + size * (spread * z);
       const double there = cost(next);
-      if (2.0 * std::log(uniform()) < here - there) {
+      if (2.0 * std::log(random.uniform()) < here - there) {
         v = next;
         here = there;
       }
