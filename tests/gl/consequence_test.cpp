@@ -37,12 +37,6 @@ class ConsequenceTest : public RealWindowTest {
     ASSERT_TRUE(obeyed && obeyed->ok()) << (obeyed ? obeyed->error().message : std::string("not its verb"));
     settle();
   }
-  QString texts(Step step) {
-    QString all;
-    for (const QLabel* label : window.panel(step)->findChildren<QLabel*>())
-      if (label->isVisible()) all += label->text() + "\n";
-    return all;
-  }
 };
 
 TEST_F(ConsequenceTest, ThePhantomIsDrawnOnTheArmWhileResultIsShown) {

@@ -59,12 +59,6 @@ class HonestyTest : public RealWindowTest {
     QTest::mouseClick(button, Qt::LeftButton, {}, QPoint(12, button->height() / 2));
     settle();
   }
-  QString texts(Step step) {
-    QString all;
-    for (const QLabel* label : window.panel(step)->findChildren<QLabel*>())
-      if (label->isVisible()) all += label->text() + "\n";
-    return all;
-  }
   RecordPanel* record() { return dynamic_cast<RecordPanel*>(window.panel(Step::record)); }
   QStringList kept() { return QDir(recordedFolder()).entryList({"*.csv"}, QDir::Files); }
 };

@@ -53,6 +53,13 @@ class RealWindowTest : public testing::Test {
     ASSERT_TRUE(workspace.opened());
     ASSERT_TRUE(workspace.report());
   }
+  /// All labels of a step's panel that are seen, a line each.
+  QString texts(Step step) {
+    QString all;
+    for (const QLabel* label : window.panel(step)->findChildren<QLabel*>())
+      if (label->isVisible()) all += label->text() + "\n";
+    return all;
+  }
   QImage viewPicture() {
     window.robotView()->renderNow();
     return window.robotView()->grab().toImage().convertToFormat(QImage::Format_RGB32);

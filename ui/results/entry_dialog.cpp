@@ -4,10 +4,10 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
 
 #include "ui/results/payload_form.h"
 #include "ui/widgets/basics.h"
+#include "ui/widgets/dialog_buttons.h"
 
 namespace heft {
 namespace {
@@ -51,13 +51,7 @@ EntryDialog::EntryDialog(const ControllerChoice& choice, const PartialPayload& s
                             "caption", this));
   problem_ = wrappedLabel({}, "body", this);
   form->addRow(problem_);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-  buttons->button(QDialogButtonBox::Ok)->setText(tr("Compare"));
-  connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-    if (read()) accept();
-  });
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  form->addRow(buttons);
+  form->addRow(dialogButtons(this, tr("Compare"), [this] { return read(); }));
 }
 
 bool EntryDialog::read() {

@@ -3,10 +3,10 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
-#include <QPushButton>
 
 #include "ui/results/payload_form.h"
 #include "ui/widgets/basics.h"
+#include "ui/widgets/dialog_buttons.h"
 
 namespace heft {
 
@@ -26,13 +26,7 @@ KnownValuesDialog::KnownValuesDialog(const PartialPayload& known, QWidget* paren
                             form, this);
   problem_ = wrappedLabel({}, "body", this);
   form->addRow(problem_);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-  buttons->button(QDialogButtonBox::Ok)->setText(tr("Compare"));
-  connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-    if (read()) accept();
-  });
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  form->addRow(buttons);
+  form->addRow(dialogButtons(this, tr("Compare"), [this] { return read(); }));
 }
 
 bool KnownValuesDialog::read() {
