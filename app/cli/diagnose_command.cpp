@@ -96,8 +96,12 @@ void run(const DiagnoseArguments& options) {
     if (options.timing) print("\n" + times.table());
     printFindings(report.findings, true);
   }
-  if (!options.correctedMeta.empty() && changes.empty())
-    throw Failed("The diagnosis proposes no change of the meta file; none was written.");
+  if (options.correctedMeta.empty() || !changes.empty()) return;
+  throw Failed(report.mistake && report.mistake->tied
+                   ? "Several readings of the numbers fit, each with another meta file; none was written. Decide for "
+                     "one, and write the keys that 'heft diagnose --json' has for it under frame_mistake into the meta "
+                     "file."
+                   : "The diagnosis proposes no change of the meta file; none was written.");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/math/linear_algebra.h"
 
@@ -12,7 +13,19 @@ namespace {
 /// Columns: payload (10), zero (6), then these.
 constexpr Eigen::Index kRatio = 16, kTurn = 17, kAll = 20;
 
+constexpr double kSure = 6.0;  ///< Standard deviations
+
 }  // namespace
+
+bool Agreement::turned() const {
+  constexpr double kHardlyAvoided = 1.0 * std::numbers::pi / 180.0;  // [rad]; bends little
+  return turn > kHardlyAvoided && turn > kSure * turnStd;
+}
+
+bool Agreement::ratioDisagrees() const {
+  constexpr double kHardlyAvoided = 0.05;
+  return std::abs(ratio - 1.0) > kHardlyAvoided && std::abs(ratio - 1.0) > kSure * ratioStd;
+}
 
 Agreement agreementOf(const Blocks& blocks, const Way& way, const Fit& fit) {
   const Eigen::Index K = blocks.size();

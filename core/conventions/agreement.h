@@ -13,6 +13,9 @@ namespace heft::conventions {
 struct Agreement {
   double turn = 0.0, turnStd = 0.0;    ///< Of the sensor against where it is stated to be [rad]
   double ratio = 1.0, ratioStd = 0.0;  ///< m c of the torque over m c of the force, along the centre; 1 for poses
+
+  bool turned() const;          ///< By more than can hardly be avoided, surely
+  bool ratioDisagrees() const;  ///< Likewise
 };
 
 /// Beside `fit`, which is of `way` with nothing free. Deviations count that what is left over lasts.

@@ -33,6 +33,13 @@ bool has(const std::vector<Change>& changes, Change change) {
   return std::find(changes.begin(), changes.end(), change) != changes.end();
 }
 
+/// A sensor that sits `point` beside its place and a torque about that point are the same readings and the same payload
+/// in space: only where the sensor's origin is meant to be differs. Where the centre would lie in the arm behind that
+/// origin, and does not behind the stated one, it is the torque's point.
+bool isAboutAnotherPoint(const Candidate& c) {
+  return c.payload.com.z() > -kBehind && (c.payload.com - c.fit.place.point).z() < -kBehind;
+}
+
 /// Its free part is too small for a convention, or a place of the sensor: the business of causes.
 bool isSmall(const Candidate& c, const Reading& stated) {
   if (c.free == Free::mount) return vectorFromRotation(stated.turn.transpose() * c.fit.place.turn).norm() < kLeastTurn;
@@ -42,7 +49,7 @@ bool isSmall(const Candidate& c, const Reading& stated) {
     // Nearly the other way is that and a tilt; without the tilt it is a hypothesis of its own.
     return turn < kLeastTurn || turn > std::numbers::pi - kLeastTurn;
   }
-  return c.free == Free::point;
+  return c.free == Free::point && !isAboutAnotherPoint(c);
 }
 
 /// It is small, and all the rest is as stated.
@@ -95,7 +102,12 @@ Report Check::run() {
   // Where somebody pushes shows under the stated conventions, too, unless they are far off: then they are out anyway.
   scanAll(stated.fit.weights, false, 4, all);
   std::sort(all.begin(), all.end(), byScore);
+  // An acceleration that is not known looks like a disagreement.
+  std::optional<Agreement> agreement;
+  if (!isNegative(stated) && (standing_ || q_.motion->originAccelerationKnown))
+    agreement = agreementOf(forms_.front().blocks, statedWay(), stated.fit);
   const bool doubtful = stated.misfit.worst() > kFits || stated.reach > 0.0 || isNegative(stated) ||
+                        (agreement && agreement->ratioDisagrees()) ||
                         (!all.empty() && all.front().score - stated.score > kOverwhelming);
   if (doubtful) {
     addForms();
@@ -124,9 +136,7 @@ Report Check::run() {
     }
   }
   decide(stated, all, report);
-  // An acceleration that is not known looks like either.
-  if (report.verdict == Verdict::asStated && !isNegative(stated) && (standing_ || q_.motion->originAccelerationKnown))
-    report.agreement = agreementOf(forms_.front().blocks, statedWay(), stated.fit);
+  if (report.verdict == Verdict::asStated) report.agreement = agreement;
   putIntoWords(q_, report);
   return report;
 }
@@ -175,7 +185,7 @@ void Check::decide(const Candidate& stated, std::vector<Candidate>& all, Report&
   // A base that stands, hangs or is bolted to a wall does so exactly.
   if (first->free != Free::gravity || first->reading.gravity == first->fit.place.gravity) {
     report.turnStd = std::sqrt(std::max(0.0, symmetricEigen(first->fit.turnCovariance).values(2)));
-    report.fromTurn = first->fit.fromTurn;
+    report.fromFree = first->fit.fromFree;
   }
   report.evidence = report.overStated;
   for (std::size_t i = 1; i < all.size(); ++i) {

@@ -69,16 +69,17 @@ struct Report {
   Misfit statedMisfit;
   Payload payload, statedPayload;
   /// Where the suggestion turns the sensor or gravity freely: standard deviation of that turn about the axis known
-  /// worst [rad], and its part of the covariance of phi = (m, m c, I) [kg, kg m, kg m2]. 0 otherwise.
+  /// worst [rad]. 0 otherwise.
   double turnStd = 0.0;
   Eigen::Matrix<double, 10, 10> covariance = Eigen::Matrix<double, 10, 10>::Zero();  ///< Of phi of `payload`
-  Eigen::Matrix<double, 10, 10> fromTurn = Eigen::Matrix<double, 10, 10>::Zero();
+  /// What such a turn, or a free point of the torque, has of the covariance of phi [kg, kg m, kg m2]. 0 otherwise.
+  Eigen::Matrix<double, 10, 10> fromFree = Eigen::Matrix<double, 10, 10>::Zero();
   std::optional<Agreement> agreement;  ///< As stated, where that is the verdict; absent where it cannot be told
   std::string sentence;                ///< "The force is given in the robot's base axes, not the sensor's."
   std::string check;                   ///< Where to look at the driver; empty for asStated
   std::string decides;                 ///< What would decide a tie; empty without one
   Findings cautions;                   ///< "centre_behind_sensor", "centre_far", "weight_large", "nearly_tied",
-                                       ///< "turn_unsure", "sensor_turned", "force_and_torque"
+                                       ///< "turn_unsure", "point_unsure", "sensor_turned", "force_and_torque"
 };
 
 /// Standard deviation of the centre along the axis known worst [m], from a covariance of phi (m, m c, I).

@@ -34,15 +34,45 @@ void addCautions(Report& report, double heaviest, bool standing) {
                                {}});
 }
 
-/// A turn that was found in the readings is as sure as they make it, and the centre turns with it.
-void addTurnUnsure(Report& report) {
+/// A point that was found explains the force's misfit by turning: what else is in it moves the point, by at most the
+/// share that is left.
+void addPointBesideOther(Report& report) {
+  constexpr double kMuch = 0.2;
+  const double share = report.misfit.force / std::max(1e-12, report.statedMisfit.force);
+  if (share < kMuch) return;
+  const double off = share * report.suggested->conventions.wrenchPoint.offset.norm();
+  report.cautions.push_back(
+      {Severity::warning,
+       "point_unsure",
+       heft::say("Something else is in the readings, too. The point that the torque is about, and the centre of mass "
+                 "with it, may be off by as much as {:.0f} mm.",
+                 1e3 * off),
+       heft::say("Ask the controller's manual for the point, and state it as wrench_point in the setup file."),
+       {}});
+}
+
+/// A turn or a point that was found in the readings is as sure as they make it, and the centre goes with it.
+void addFreeUnsure(Report& report) {
   constexpr double kCentre = 0.001, kMass = 0.01;  // Half of what two payloads may differ by and be the same
   constexpr double kInterval = 1.96;               // 95 % of a normal distribution
   const Payload& p = report.payload;
-  if (report.turnStd <= 0.0 || p.mass == 0.0) return;
-  const double ofCentre = centreStd(p, report.fromTurn);
-  const double massStd = std::sqrt(std::max(0.0, report.fromTurn(0, 0))) / std::abs(p.mass);
+  if (report.fromFree.isZero() || p.mass == 0.0) return;
+  const double ofCentre = centreStd(p, report.fromFree);
+  const double massStd = std::sqrt(std::max(0.0, report.fromFree(0, 0))) / std::abs(p.mass);
+  if (report.turnStd <= 0.0) addPointBesideOther(report);
   if (ofCentre < kCentre && massStd < kMass) return;
+  if (report.turnStd <= 0.0) {
+    report.cautions.push_back(
+        {Severity::warning,
+         "point_unsure",
+         heft::say(
+             "This recording shows the point that the torque is about only to +- {:.0f} mm, and the centre of mass "
+             "as well.",
+             1e3 * kInterval * ofCentre),
+         heft::say("State wrench_point in the setup file, or record a motion with brisk turns."),
+         {}});
+    return;
+  }
   report.cautions.push_back(
       {Severity::warning,
        "turn_unsure",
@@ -57,11 +87,8 @@ void addTurnUnsure(Report& report) {
 /// What bends mass and centre although the numbers mean what is stated.
 void addDisagreement(Report& report) {
   constexpr double kRadPerDegree = std::numbers::pi / 180.0;
-  /// Smaller ones are hardly ever avoided, and bend little [rad], [1].
-  constexpr double kTurn = 1.0 * kRadPerDegree, kRatio = 0.05;
-  constexpr double kSure = 6.0;  ///< Standard deviations
   const Agreement& a = *report.agreement;
-  if (a.turn > kTurn && a.turn > kSure * a.turnStd)
+  if (a.turned())
     report.cautions.push_back(
         {Severity::warning,
          "sensor_turned",
@@ -71,7 +98,7 @@ void addDisagreement(Report& report) {
              a.turn / kRadPerDegree),
          heft::say("Look for causes: a turned sensor, a tilted base and a joint's zero look alike."),
          {}});
-  if (std::abs(a.ratio - 1.0) > kRatio && std::abs(a.ratio - 1.0) > kSure * a.ratioStd)
+  if (a.ratioDisagrees())
     report.cautions.push_back(
         {Severity::warning,
          "force_and_torque",
@@ -95,7 +122,7 @@ double centreStd(const Payload& payload, const Eigen::Matrix<double, 10, 10>& of
 void putIntoWords(const Question& question, Report& report) {
   const bool standing = question.kind == RecordingKind::poses;
   addCautions(report, question.heaviest, standing);
-  addTurnUnsure(report);
+  addFreeUnsure(report);
   if (report.agreement) addDisagreement(report);
   constexpr double kPlain = 20.0;  // Odds of 20,000 to 1: less is no more than one pose may change
   if (report.verdict == Verdict::suggested && report.next && report.evidence < kPlain)
@@ -125,10 +152,7 @@ void putIntoWords(const Question& question, Report& report) {
       report.check = whatToCheck(question.stated, *report.suggested);
       break;
     case Verdict::ambiguous:
-      report.sentence = heft::say(
-          "The stated conventions do not fit, and this recording cannot show which ones do. "
-          "Likeliest: {}",
-          sentence(question.stated, *report.suggested));
+      report.sentence = tiedSentence(question.stated, *report.suggested);
       report.check = whatToCheck(question.stated, *report.suggested);
       break;
     case Verdict::none:

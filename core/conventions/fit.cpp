@@ -409,11 +409,11 @@ Fit robustFit(const Blocks& blocks, const Way& way, Free free, const Place& star
   const double lasts = blocks.rateHz > 0.0 ? std::max(lastingOf(leftF), lastingOf(leftT)) : 1.0;
   const MatrixXd covariance = freedom * lasts * inverse(A);
   out.covariance = covariance.topLeftCorner<16, 16>();
-  if (free == Free::mount || free == Free::gravity) {
-    const MatrixXd ofTurn = covariance.bottomRightCorner(extra, extra), shared = covariance.topRightCorner(10, extra);
-    out.fromTurn = shared * inverse(ofTurn) * shared.transpose();
-    const MatrixXd axes = free == Free::mount ? MatrixXd(Matrix3d::Identity()) : MatrixXd(basis / gravity.norm());
-    out.turnCovariance = axes * ofTurn * axes.transpose();
+  if (extra > 0) {
+    const MatrixXd ofFree = covariance.bottomRightCorner(extra, extra), shared = covariance.topRightCorner(10, extra);
+    out.fromFree = shared * inverse(ofFree) * shared.transpose();
+    const MatrixXd axes = free == Free::gravity ? MatrixXd(basis / gravity.norm()) : MatrixXd(Matrix3d::Identity());
+    if (free != Free::point) out.turnCovariance = axes * ofFree * axes.transpose();
   }
   double sum = 0.0;
   for (Eigen::Index k = 0; k < K; ++k) sum += std::log1p(distance(k) / kTailFreedom);

@@ -41,7 +41,8 @@ struct Fit {
   Eigen::Matrix<double, 16, 16> covariance = Eigen::Matrix<double, 16, 16>::Zero();
   /// Of a free mount, sensor axes, or of a free direction of gravity, base axes [rad2]; else 0
   Matrix3d turnCovariance = Matrix3d::Zero();
-  Eigen::Matrix<double, 10, 10> fromTurn = Eigen::Matrix<double, 10, 10>::Zero();  ///< Its part of phi's covariance
+  /// What a free turn or point has of phi's covariance; else 0
+  Eigen::Matrix<double, 10, 10> fromFree = Eigen::Matrix<double, 10, 10>::Zero();
   Place place;
   double force = 0.0, torque = 0.0;  ///< Scale of what is left, a component [N], [N m]
   /// 2 ln L of the file's numbers less the price of free parameters. For comparison within the same kind of fit only.

@@ -252,6 +252,11 @@ std::string sentence(const Reading& stated, const Reading& reading) {
   return inTurn(stated, reading, [&](Change change) { return changeSaid(change, stated, reading); });
 }
 
+std::string tiedSentence(const Reading& stated, const Reading& likeliest) {
+  return heft::say("The stated conventions do not fit, and this recording cannot show which ones do. Likeliest: {}",
+                   sentence(stated, likeliest));
+}
+
 std::string whatToCheck(const Reading& stated, const Reading& reading) { return inTurn(stated, reading, checkSaid); }
 
 RecordingMeta metaSo(RecordingMeta meta, const Reading& stated, const Reading& reading, bool fromJoints) {

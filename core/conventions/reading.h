@@ -46,6 +46,8 @@ std::vector<Change> changes(const Reading& from, const Reading& to);
 /// What the file's numbers mean to `reading`, in words of a sentence each: "The force is given in the robot's base
 /// axes, not in the sensor's axes." Only what differs from `stated`.
 std::string sentence(const Reading& stated, const Reading& reading);
+/// That what is stated does not fit, and that `likeliest` is one of several which do.
+std::string tiedSentence(const Reading& stated, const Reading& likeliest);
 /// Where in driver or controller to look.
 std::string whatToCheck(const Reading& stated, const Reading& reading);
 

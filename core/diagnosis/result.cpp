@@ -32,7 +32,8 @@ bool mountIsWrong(const DiagnosedCause& cause) {
 
 nlohmann::json DiagnosisReport::metaChanges() const {
   json out = json::object();
-  if (mistake && !mistake->positionsKept)
+  // Of two readings that fit alike a person has to choose.
+  if (mistake && !mistake->positionsKept && !mistake->tied)
     if (json patch = conventions::metaPatch(mistake->stated, mistake->reading, meta.mount, !ofPoses); patch.is_object())
       out = std::move(patch);
   for (const auto& cause : causes) {

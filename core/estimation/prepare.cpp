@@ -368,8 +368,8 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     prepared.stride = fit.stride;
     prepared.folds = whitenedTriangles(fit.rows, fit.weighting, fit.weights, fit.runs, kFolds);
     prepared.whitened = fit.whitened;
-    if (prepared.readAsSuggested && prepared.conventions->turnStd > 0.0)
-      prepared.whitened = lessSure(prepared.whitened, prepared.conventions->fromTurn);
+    if (prepared.readAsSuggested && !prepared.conventions->fromFree.isZero())
+      prepared.whitened = lessSure(prepared.whitened, prepared.conventions->fromFree);
     return prepared;
   };
   if (recording.meta.kind == RecordingKind::poses) {

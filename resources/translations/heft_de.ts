@@ -6077,10 +6077,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Einzelne Werte weit daneben, mit gewöhnlichen zu beiden Seiten.</translation>
     </message>
     <message>
-        <source>Measure from the flange to the sensor&apos;s origin and compare with the meta file.</source>
-        <translation>Vom Flansch zum Ursprung des Sensors messen und mit der Meta-Datei vergleichen.</translation>
-    </message>
-    <message>
         <source>Slow motion fits; fast turning leaves a difference that grows with the square of its speed.</source>
         <translation>Langsame Bewegung passt; schnelles Drehen lässt eine Abweichung, die mit dem Quadrat des Tempos wächst.</translation>
     </message>
@@ -9211,6 +9207,26 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>should have one that is &quot;right&quot;: true</source>
         <translation>sollte genau eine mit „right“: true enthalten</translation>
+    </message>
+    <message>
+        <source>Something else is in the readings, too. The point that the torque is about, and the centre of mass with it, may be off by as much as {:.0f} mm.</source>
+        <translation>In den Messwerten steckt noch etwas anderes. Der Bezugspunkt des Drehmoments und mit ihm der Schwerpunkt können um bis zu {:.0f} mm falsch sein.</translation>
+    </message>
+    <message>
+        <source>Ask the controller&apos;s manual for the point, and state it as wrench_point in the setup file.</source>
+        <translation>Suchen Sie den Punkt im Handbuch der Steuerung und geben Sie ihn als wrench_point in der Metadatei an.</translation>
+    </message>
+    <message>
+        <source>This recording shows the point that the torque is about only to +- {:.0f} mm, and the centre of mass as well.</source>
+        <translation>Diese Aufnahme zeigt den Bezugspunkt des Drehmoments nur auf +- {:.0f} mm genau, und den Schwerpunkt ebenso.</translation>
+    </message>
+    <message>
+        <source>State wrench_point in the setup file, or record a motion with brisk turns.</source>
+        <translation>Geben Sie wrench_point in der Metadatei an oder nehmen Sie eine Bewegung mit flotten Drehungen auf.</translation>
+    </message>
+    <message>
+        <source>Measure from the flange to the sensor&apos;s origin and compare with the meta file. If that is right, the torque is about another point: state wrench_point.</source>
+        <translation>Messen Sie vom Flansch zum Ursprung des Sensors und vergleichen Sie mit der Metadatei. Stimmt das Maß, bezieht sich das Drehmoment auf einen anderen Punkt: Geben Sie wrench_point an.</translation>
     </message>
 </context>
 <context>

@@ -7,8 +7,8 @@
 //   conventions_study estimates [SEEDS=4] [FIRST=1] heft estimate --conventions suggested: how far mass and centre that
 //                                                   are called measured are off, in standard deviations
 // "right": suggested, payload within 2 % and 2 mm, or 3 of its standard deviations. "unsure": suggested, but with the
-// sensor's turn said to be unsure. "tied": right one among those told. "wrong": another payload is suggested. "silent":
-// as stated though it is not. "none": nothing fits.
+// sensor's turn or the torque's point said to be unsure. "tied": right one among those told. "wrong": another payload
+// is suggested. "silent": as stated though it is not. "none": nothing fits.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -97,7 +97,7 @@ std::string outcome(const conventions::Report& report, const Payload& truth, con
     case Verdict::suggested:
       if (agrees(report.payload)) return "right";
       for (const auto& caution : report.cautions)
-        if (caution.code == "turn_unsure") return "unsure";
+        if (caution.code == "turn_unsure" || caution.code == "point_unsure") return "unsure";
       return "wrong";
     case Verdict::ambiguous:
       if (agrees(report.payload)) return "tied";

@@ -64,6 +64,10 @@ void rewriteOne(const std::string& name, const RobotModel& robot, std::mt19937_6
       // The lever from the base's origin to the sensor.
       if (name == "base_point") t += X[k].translation().cross(f);
     });
+  } else if (name == "tip_point") {
+    // The controller tells torques about the tool's tip.
+    const Vector3d tip{uniform(random, -0.05, 0.05), uniform(random, -0.05, 0.05), uniform(random, 0.2, 0.3)};
+    eachWrench(r, [&](std::size_t, const Vector3d& f, Vector3d& t) { t -= tip.cross(f); });
   } else if (name == "torque_first") {
     eachWrench(r, [](std::size_t, Vector3d& f, Vector3d& t) { std::swap(f, t); });
   } else if (name == "torque_sign") {
@@ -128,9 +132,9 @@ void rewriteOne(const std::string& name, const RobotModel& robot, std::mt19937_6
 
 const std::vector<std::string>& driverNames() {
   static const std::vector<std::string> names{
-      "base_axes", "base_point", "torque_first",  "torque_sign", "wrench_sign", "mirror_x", "mirror_y",
-      "mirror_z",  "swapped_xy", "N_mm",          "N_cm",        "lbf_in",      "lbf_ft",   "kgf_cm",
-      "turned_45", "turned_any", "pose_inverted", "w_first",     "gravity_sign"};
+      "base_axes", "base_point", "tip_point",  "torque_first",  "torque_sign", "wrench_sign", "mirror_x",
+      "mirror_y",  "mirror_z",   "swapped_xy", "N_mm",          "N_cm",        "lbf_in",      "lbf_ft",
+      "kgf_cm",    "turned_45",  "turned_any", "pose_inverted", "w_first",     "gravity_sign"};
   return names;
 }
 

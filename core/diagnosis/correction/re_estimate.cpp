@@ -120,6 +120,12 @@ void leaveAsItWas(DiagnosisReport& report, const Hypothesis& hypothesis, const c
   report.findings.push_back({Severity::warning, code, std::move(text), std::move(remedy), {}});
 }
 
+/// Whether the meta file's mount is to be turned: sensor axes are then other ones with it.
+bool mountTurns(const nlohmann::json& metaChanges) {
+  const auto at = nlohmann::json::json_pointer("/sensor/mount/rpy_rad");
+  return metaChanges.contains(at);
+}
+
 }  // namespace
 
 std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& recording, const Recording& cleaned,
@@ -170,7 +176,7 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
                  heft::say("With these causes taken out the payload would be a quarter lighter or heavier, while "
                            "something unknown is left; so it is left as it was."),
                  heft::say("Find what is unknown first: record the motion once more, more slowly."));
-  } else if (report.metaChanges().value("sensor", nlohmann::json::object()).contains("mount")) {
+  } else if (mountTurns(report.metaChanges())) {
     report.findings.push_back({Severity::info,
                                "payload_as_stated",
                                heft::say("The payload is given in the sensor frame that the meta file states."),

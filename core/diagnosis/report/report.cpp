@@ -147,6 +147,20 @@ std::string unknownText(const DiagnosisReport& report) {
                          related);
 }
 
+namespace {
+
+/// The other readings that fit, and the payload to each.
+std::string tiesText(const diagnosis::FrameMistake& mistake) {
+  std::string out;
+  for (const auto& tie : mistake.ties)
+    out +=
+        fmt::format("   As well fits: {} Payload {:.4g} kg, centre of mass ({:.1f}, {:.1f}, {:.1f}) mm\n", tie.sentence,
+                    tie.payload.mass, tie.payload.com.x() * 1e3, tie.payload.com.y() * 1e3, tie.payload.com.z() * 1e3);
+  return out;
+}
+
+}  // namespace
+
 std::string toText(const DiagnosisReport& report) {
   std::string out = report.sentence + "\n\n";
   out +=
@@ -169,6 +183,7 @@ std::string toText(const DiagnosisReport& report) {
     if (!cause.alternatives.empty())
       out += fmt::format("   This motion cannot tell it from: {}\n   To tell them apart: {}\n",
                          fmt::join(cause.alternatives, ", "), cause.tellApart);
+    if (cause.ofMistake) out += tiesText(*report.mistake);
     out += fmt::format("   Check: {}\n", cause.check);
   }
   if (const std::string unknown = unknownText(report); !unknown.empty()) out += fmt::format("\nUnknown: {}\n", unknown);

@@ -195,6 +195,7 @@ void giveVerdict(const Hypothesis& hypothesis, const Structure& remaining, Diagn
   if (verdictOf(out.causes, remaining) != Verdict::unexplained) more = dropSlight(hypothesis, out.causes);
   Decision decision = decided(hypothesis, out.causes, more.value_or(remaining), ambiguous);
   out.verdict = decision.verdict;
+  if (out.verdict == Verdict::explained && out.mistake && out.mistake->tied) out.verdict = Verdict::ambiguous;
   out.remaining = std::move(decision.remaining);
 }
 
@@ -237,6 +238,9 @@ std::string verdictSentence(const DiagnosisReport& report) {
     case Verdict::ambiguous: {
       const auto tied =
           std::ranges::find_if(report.causes, [](const DiagnosedCause& c) { return !c.alternatives.empty(); });
+      // Without such a cause it is the numbers' meaning.
+      if (tied == report.causes.end())
+        return conventions::tiedSentence(report.mistake->stated, report.mistake->reading);
       std::vector<std::string> others;
       for (const auto& other : tied->alternatives) others.push_back('"' + causeTitle(other) + '"');
       return heft::say("Two or more causes are possible: \"{}\" or {}. This motion cannot tell them apart.",

@@ -81,7 +81,11 @@ TEST(Conventions, EachIsFoundInAMotion) {
     // N cm and kgf cm differ by the scale of the mass alone.
     const bool scale = name == "N_cm" || name == "kgf_cm";
     EXPECT_EQ(report.verdict, scale ? Verdict::ambiguous : Verdict::suggested) << name;
-    if (!scale) expectPayload(report.payload, payload, name);
+    // A point is known as well as the readings tell, and the centre with it.
+    if (name == "tip_point")
+      EXPECT_LT((report.payload.com - payload.com).norm(), 3.0 * centreStd(report.payload, report.covariance));
+    else if (!scale)
+      expectPayload(report.payload, payload, name);
     EXPECT_FALSE(report.sentence.empty()) << name;
     EXPECT_FALSE(report.check.empty()) << name;
   }
@@ -94,7 +98,7 @@ TEST(Conventions, EachIsFoundInPoses) {
     Recording recording = test::standingRecording(payload, 24, {0.0, 0.0, -9.81}, 1.0, seed);
     test::rewriteAs(name, RobotModel::panda(), seed, recording);
     const Report report = checkOf(recording);
-    if (name == "torque_sign" || name == "lbf_ft") {
+    if (name == "torque_sign" || name == "tip_point" || name == "lbf_ft") {
       // Neither can be told from a centre elsewhere.
       EXPECT_TRUE(!report.cautions.empty() || !report.ties.empty()) << name;
     } else if (name == "N_mm" || name == "N_cm" || name == "lbf_in" || name == "kgf_cm") {
@@ -155,6 +159,26 @@ TEST(Conventions, CausesAreNone) {
     const Report report = checkOf(guided(payload, 10, {0.0, 0.0, -9.81}, MotionKind::free, {cause}));
     EXPECT_EQ(report.verdict, Verdict::asStated) << cause.id;
     EXPECT_FALSE(report.suggested) << cause.id;
+  }
+}
+
+// A torque about another point and a sensor beside its place are the same readings: it is the point where the sensor
+// would put the centre into the arm, and a cause for the diagnosis otherwise.
+TEST(Conventions, ACentreInTheArmDecidesBetweenAPointAndAPlace) {
+  const Payload payload = toolOf(13);
+  const Recording plain = guided(payload, 13);
+  for (const double beyond : {0.03, -0.03}) {
+    Recording recording = plain;
+    const Vector3d point(0.0, 0.0, payload.com.z() + beyond);
+    for (Eigen::Index k = 0; k < recording.rows(); ++k) {
+      const Vector3d force = recording.wrench.row(k).head<3>().transpose();
+      recording.wrench.row(k).tail<3>() -= point.cross(force).transpose();
+    }
+    const Report report = checkOf(recording);
+    EXPECT_EQ(report.verdict, beyond > 0.0 ? Verdict::suggested : Verdict::asStated) << beyond;
+    if (beyond < 0.0) continue;
+    EXPECT_LT((report.suggested->conventions.wrenchPoint.offset - point).norm(), 0.01);
+    EXPECT_GT(report.fromFree.diagonal().segment<3>(1).minCoeff(), 0.0);
   }
 }
 
@@ -381,7 +405,7 @@ TEST(Conventions, AFreeTurnIsAsSureAsItsReadings) {
   EXPECT_TRUE(isUnsure(ofSlow));
   // What the turn adds is part of the payload's own covariance, and never more than it.
   for (const Report* report : {&ofBrisk, &ofSlow})
-    EXPECT_TRUE((report->covariance.diagonal().array() >= report->fromTurn.diagonal().array()).all());
+    EXPECT_TRUE((report->covariance.diagonal().array() >= report->fromFree.diagonal().array()).all());
 }
 
 // What is left over falls where the reading is right, and stays where it is.

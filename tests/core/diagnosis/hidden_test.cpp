@@ -468,6 +468,17 @@ TEST(Diagnose, FrameMistakes) {
   EXPECT_FALSE(report.metaChanges().empty());
 }
 
+/// N cm beside N and kgf cm beside kgf differ by the scale of the mass alone: no single one is told.
+TEST(Diagnose, TiedUnitsAreNoAnswer) {
+  Recording recording = aRecording(MotionKind::free, 504);
+  recording.wrench.rightCols<3>() *= 100.0;
+  const auto report = diagnosed(recording);
+  ASSERT_TRUE(report.mistake.has_value());
+  EXPECT_EQ(report.verdict, Verdict::ambiguous) << said(report);
+  EXPECT_TRUE(report.metaChanges().empty());
+  EXPECT_NE(toText(report).find("As well fits"), std::string::npos) << toText(report);
+}
+
 /// Columns that are swapped are so exactly: what turns them back a little off was a sensor that is mounted turned. They
 /// are the other sign with the sensor turned by half, which a meta file can say.
 TEST(Diagnose, SwappedColumnsAreNothingElse) {

@@ -191,6 +191,23 @@ TEST(Poses, ConventionsAreToldAndPutRight) {
   EXPECT_LT((put->wrench - standingWith(24, 3).wrench).cwiseAbs().maxCoeff(), 1e-9);
 }
 
+// Standing poses cannot tell units apart: the report says so, proposes no meta file, and has the right one among those
+// that fit.
+TEST(Poses, UnitsAreATie) {
+  Recording recording = standingWith(24, 3);
+  recording.wrench.leftCols<3>() /= 9.80665;     // kgf
+  recording.wrench.rightCols<3>() /= 0.0980665;  // kgf cm
+  const auto report = diagnosed(recording);
+  ASSERT_TRUE(report.mistake) << withNumbers(report);
+  EXPECT_TRUE(report.mistake->tied);
+  EXPECT_EQ(report.verdict, Verdict::ambiguous);
+  EXPECT_NE(report.sentence.find("cannot show which ones do"), std::string::npos) << report.sentence;
+  EXPECT_TRUE(report.metaChanges().empty());
+  EXPECT_TRUE(std::ranges::any_of(report.mistake->ties, [](const conventions::Alternative& tie) {
+    return std::abs(tie.payload.mass - aTool().mass) < 0.02;
+  }));
+}
+
 TEST(Poses, TooFewAreRefused) { EXPECT_FALSE(diagnose(standingWith(5, 1), &RobotModel::panda(), {}).ok()); }
 
 }  // namespace
