@@ -1756,10 +1756,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Wie angegeben, wöge das Werkzeug %1 kg.</translation>
     </message>
     <message>
-        <source>Two readings possible</source>
-        <translation>Zwei Lesarten möglich</translation>
-    </message>
-    <message>
         <source>Not what the meta file says</source>
         <translation>Anders als die Meta-Datei sagt</translation>
     </message>
@@ -1790,6 +1786,18 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The session reads this recording so; the file stays as it is. Ctrl+Z takes it back.</source>
         <translation>Die Sitzung liest diese Aufnahme so; die Datei bleibt, wie sie ist. Strg+Z nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>(%1 kg)</source>
+        <translation>(%1 kg)</translation>
+    </message>
+    <message>
+        <source>Several readings possible</source>
+        <translation>Mehrere Lesarten möglich</translation>
+    </message>
+    <message>
+        <source>State it under Robot and sensor …</source>
+        <translation>Unter Roboter und Sensor angeben …</translation>
     </message>
 </context>
 <context>
@@ -11816,6 +11824,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Back</source>
         <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>More than one reading fits, each with another weight. State the right one; Heft does not guess.</source>
+        <translation>Mehr als eine Lesart passt, jede mit einem anderen Gewicht. Geben Sie die richtige an; Heft rät nicht.</translation>
     </message>
 </context>
 <context>

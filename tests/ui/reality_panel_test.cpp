@@ -225,6 +225,25 @@ TEST_F(RealityPanelTest, StopsWhenAsked) {
   EXPECT_TRUE(texts().contains("The search was stopped."));
 }
 
+// Each of two readings has its weight, and neither is taken by one click.
+TEST_F(RealityPanelTest, OfReadingsThatFitAlikeAPersonStatesOne) {
+  auto read = readRecording(simulated("plain.csv", {}).toStdString());
+  ASSERT_TRUE(read.ok());
+  open(asDriver("kgf.csv", "kgf_cm", std::move(read->recording)));
+  panel->diagnose();
+  settle();
+  ASSERT_TRUE(panel->report() && panel->report()->mistake);
+  EXPECT_TRUE(panel->report()->mistake->tied);
+  const QString all = texts().join("|");
+  EXPECT_TRUE(all.contains("(0.80 kg)")) << all.toStdString();
+  EXPECT_TRUE(all.contains("Heft does not guess")) << all.toStdString();
+  const QPushButton* stateIt = buttonOf("acceptButton", "frame_error");
+  ASSERT_NE(stateIt, nullptr);
+  EXPECT_EQ(stateIt->text(), "State it under Robot and sensor …");
+  EXPECT_EQ(buttonOf("mainButton", "frame_error"), nullptr);
+  EXPECT_FALSE(all.contains("your result changes"));
+}
+
 TEST_F(RealityPanelTest, AWrongSignAsksForAnotherMetaFileAndNothingIsReplacedSilently) {
   const QString path = simulated("sign.csv", {{"frame_error", "wrench-sign", 1.0}});
   open(path);

@@ -15,6 +15,7 @@ struct CardActions {
   std::function<void(std::string)> show;                ///< In the pane below the arm
   std::function<void(std::string, bool)> detailsShown;  ///< So that a page that is built anew keeps them open
   std::function<void(std::string)> record;              ///< To decide about this cause; empty: the same motion again
+  std::function<void()> state;                          ///< What the numbers mean: robot and sensor
   std::function<void(std::string)> showMotion;  ///< That would decide; null where there is no arm to show it with
 };
 

@@ -94,6 +94,11 @@ QLabel* said(const QString& bold, const QString& rest, QWidget* parent) {
   return label;
 }
 
+/// A reading and the weight to it.
+QString tiedWords(const QString& sentence, const Payload& payload) {
+  return QStringLiteral("%1 %2").arg(sentence, ReadingWords::tr("(%1 kg)").arg(numberText(payload.mass, 2)));
+}
+
 }  // namespace
 
 std::optional<ReadingCurves> readingCurves(const Recording& recording, const RobotModel* robot,
@@ -117,17 +122,20 @@ QWidget* makeReadingCard(const DiagnosisReport& report, const DiagnosedCause& ca
   const Card card = makeCard(state.next ? "cardChosen" : "card", parent);
   card.frame->setProperty("cause", QString::fromStdString(cause.id));
   card.frame->setProperty("role", "reading");
-  card.layout->addWidget(makeVerdictTag(mistake.tied ? ReadingWords::tr("Two readings possible")
+  card.layout->addWidget(makeVerdictTag(mistake.tied ? ReadingWords::tr("Several readings possible")
                                                      : ReadingWords::tr("Not what the meta file says"),
                                         mistake.tied ? Light::twoCauses : Light::look, false, card.frame),
                          0, Qt::AlignLeft);
-  QLabel* sentence = wrappedLabel(sentenceOf(cause, report), "cardTitle", card.frame);
+  QLabel* sentence = wrappedLabel(mistake.tied ? tiedWords(sentenceOf(cause, report), report.after.payload)
+                                               : sentenceOf(cause, report),
+                                  "cardTitle", card.frame);
   sentence->setProperty("role", "sentence");
   card.layout->addWidget(sentence);
   if (curves && !state.applied) addCurves(card.layout, *curves, report.meta.kind == RecordingKind::poses, card.frame);
   if (!state.applied) {
     for (const auto& tie : mistake.ties)
-      card.layout->addWidget(said(ReadingWords::tr("Fits as well:"), QString::fromStdString(tie.sentence), card.frame));
+      card.layout->addWidget(said(ReadingWords::tr("Fits as well:"),
+                                  tiedWords(QString::fromStdString(tie.sentence), tie.payload), card.frame));
     if (mistake.tied && !mistake.decides.empty())
       card.layout->addWidget(said(ReadingWords::tr("To decide:"), QString::fromStdString(mistake.decides), card.frame));
     card.layout->addWidget(
@@ -144,6 +152,12 @@ QWidget* makeReadingCard(const DiagnosisReport& report, const DiagnosedCause& ca
     back->setProperty("cause", QString::fromStdString(cause.id));
     QObject::connect(back, &QPushButton::clicked, card.frame, [actions, id = cause.id] { actions.undo(id); });
     row->addWidget(back);
+  } else if (mistake.tied) {
+    auto* stateIt = new QPushButton(ReadingWords::tr("State it under Robot and sensor …"), card.frame);
+    stateIt->setObjectName("acceptButton");
+    stateIt->setProperty("cause", QString::fromStdString(cause.id));
+    QObject::connect(stateIt, &QPushButton::clicked, card.frame, [actions] { actions.state(); });
+    row->addWidget(stateIt, 1);
   } else {
     auto* read = new QPushButton(ReadingWords::tr("Read it so"), card.frame);
     read->setObjectName(state.next ? "mainButton" : "acceptButton");

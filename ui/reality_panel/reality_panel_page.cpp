@@ -129,6 +129,7 @@ CardActions RealityPanel::actions() {
   CardActions out;
   out.apply = [this](const std::string& id) { apply(id); };
   out.undo = [this](const std::string& id) { takeBack(id); };
+  out.state = parts().editRig;
   out.record = [this](const std::string& id) { recordFor(id); };
   if (motion_ && motion_->possible()) out.showMotion = [this](const std::string& id) { showMotion(id); };
   out.show = [this](const std::string& id) {
@@ -215,7 +216,9 @@ void RealityPanel::showReport(const Found& found) {
   const auto reading = std::ranges::find_if(report.causes, [&](const auto& c) { return isReading(report, c); });
   if (reading != report.causes.end() && !applied(reading->id))
     verdict = {tr("The numbers mean something else"),
-               tr("Read the recording as physics says first; the rest of this page takes it as read so.")};
+               report.mistake->tied
+                   ? tr("More than one reading fits, each with another weight. State the right one; Heft does not guess.")
+                   : tr("Read the recording as physics says first; the rest of this page takes it as read so.")};
   QVBoxLayout* column = page()->restart(verdict.question, verdict.answer);
   QWidget* content = page()->content();
   if (const auto seed = practiceSeed(workspace().opened()->path); seed && !found.guess.empty())

@@ -325,7 +325,7 @@ void RobotView::setGhostLabel(const QString& title, const QString& note) {
 
 void RobotView::showPayload() {
   std::optional<PayloadLook> look;
-  if (report_ && (recording_ || kept_)) look = payloadLook(*report_);
+  if (report_ && report_->trust != Trust::none && (recording_ || kept_)) look = payloadLook(*report_);
   scene_.payload = look;
 }
 

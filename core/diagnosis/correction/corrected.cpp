@@ -195,7 +195,8 @@ bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause) {
   if (!cause.direct)
     return std::any_of(report.model.terms.begin(), report.model.terms.end(),
                        [&](const Term& term) { return term.form->cause->id() == cause.id; });
-  if (cause.id == ids::frameError || cause.id == ids::sensorRotation) return report.mistake.has_value();
+  // Of readings that fit alike a person has to state one.
+  if (cause.id == ids::frameError || cause.id == ids::sensorRotation) return report.mistake && !report.mistake->tied;
   if (cause.id == ids::contact || cause.id == ids::payloadChange) return !cause.when.empty();
   // Noisy or coarse angles are smoothed more, which every estimate does by itself.
   return cause.id == ids::jitter || cause.ofVelocities;
