@@ -1983,6 +1983,46 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Check</source>
         <translation>Prüfen</translation>
     </message>
+    <message>
+        <source>Force and torque along the axes of</source>
+        <translation>Kraft und Drehmoment entlang der Achsen von</translation>
+    </message>
+    <message>
+        <source>Torque about the point x, y, z</source>
+        <translation>Bezugspunkt des Drehmoments in x, y, z</translation>
+    </message>
+    <message>
+        <source>Sign of force and torque</source>
+        <translation>Vorzeichen von Kraft und Drehmoment</translation>
+    </message>
+    <message>
+        <source>Torque&apos;s sign</source>
+        <translation>Vorzeichen des Drehmoments</translation>
+    </message>
+    <message>
+        <source>Order of force and torque</source>
+        <translation>Reihenfolge von Kraft und Drehmoment</translation>
+    </message>
+    <message>
+        <source>Mirrored axis</source>
+        <translation>Gespiegelte Achse</translation>
+    </message>
+    <message>
+        <source>Unit of force</source>
+        <translation>Einheit der Kraft</translation>
+    </message>
+    <message>
+        <source>Unit of torque</source>
+        <translation>Einheit des Drehmoments</translation>
+    </message>
+    <message>
+        <source>Poses are of</source>
+        <translation>Lagen sind die von</translation>
+    </message>
+    <message>
+        <source>Order of the quaternion</source>
+        <translation>Reihenfolge des Quaternions</translation>
+    </message>
 </context>
 <context>
     <name>Remedies</name>

@@ -237,10 +237,10 @@ TEST_F(RealityPanelTest, OfReadingsThatFitAlikeAPersonStatesOne) {
   const QString all = texts().join("|");
   EXPECT_TRUE(all.contains("(0.80 kg)")) << all.toStdString();
   EXPECT_TRUE(all.contains("Heft does not guess")) << all.toStdString();
-  const QPushButton* stateIt = buttonOf("acceptButton", "frame_error");
+  const QPushButton* stateIt = buttonOf("mainButton", "frame_error");
   ASSERT_NE(stateIt, nullptr);
   EXPECT_EQ(stateIt->text(), "State it under Robot and sensor …");
-  EXPECT_EQ(buttonOf("mainButton", "frame_error"), nullptr);
+  EXPECT_EQ(buttonOf("acceptButton", "frame_error"), nullptr);
   EXPECT_FALSE(all.contains("your result changes"));
 }
 

@@ -126,9 +126,9 @@ QWidget* makeReadingCard(const DiagnosisReport& report, const DiagnosedCause& ca
                                                      : ReadingWords::tr("Not what the meta file says"),
                                         mistake.tied ? Light::twoCauses : Light::look, false, card.frame),
                          0, Qt::AlignLeft);
-  QLabel* sentence = wrappedLabel(mistake.tied ? tiedWords(sentenceOf(cause, report), report.after.payload)
-                                               : sentenceOf(cause, report),
-                                  "cardTitle", card.frame);
+  QLabel* sentence = wrappedLabel(
+      mistake.tied ? tiedWords(sentenceOf(cause, report), report.after.payload) : sentenceOf(cause, report),
+      "cardTitle", card.frame);
   sentence->setProperty("role", "sentence");
   card.layout->addWidget(sentence);
   if (curves && !state.applied) addCurves(card.layout, *curves, report.meta.kind == RecordingKind::poses, card.frame);
@@ -154,7 +154,7 @@ QWidget* makeReadingCard(const DiagnosisReport& report, const DiagnosedCause& ca
     row->addWidget(back);
   } else if (mistake.tied) {
     auto* stateIt = new QPushButton(ReadingWords::tr("State it under Robot and sensor …"), card.frame);
-    stateIt->setObjectName("acceptButton");
+    stateIt->setObjectName(state.next ? "mainButton" : "acceptButton");
     stateIt->setProperty("cause", QString::fromStdString(cause.id));
     QObject::connect(stateIt, &QPushButton::clicked, card.frame, [actions] { actions.state(); });
     row->addWidget(stateIt, 1);

@@ -84,6 +84,28 @@ void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& repo
 
 namespace {
 
+/// A key of the meta file in the words of the dialog Robot and sensor; the key itself where that has no words for it.
+QString metaKeyWords(const QString& key) {
+  const std::pair<const char*, QString> words[] = {
+      {"wrench_axes", Words::tr("Force and torque along the axes of")},
+      {"wrench_point", Words::tr("Torque about the point x, y, z")},
+      {"wrench_sign", Words::tr("Sign of force and torque")},
+      {"torque_sign", Words::tr("Torque's sign")},
+      {"wrench_order", Words::tr("Order of force and torque")},
+      {"mirrored_axis", Words::tr("Mirrored axis")},
+      {"force_unit", Words::tr("Unit of force")},
+      {"torque_unit", Words::tr("Unit of torque")},
+      {"pose", Words::tr("Poses are of")},
+      {"quaternion_order", Words::tr("Order of the quaternion")},
+      {"rpy_rad", Words::tr("Rotation of the sensor about x, y, z")},
+      {"xyz_m", Words::tr("Place of the sensor in x, y, z")},
+      {"gravity_m_s2", Words::tr("Gravity in x, y, z")},
+  };
+  for (const auto& [name, text] : words)
+    if (key == QLatin1String(name)) return text;
+  return key;
+}
+
 /// "rotation 4.8°, 0.2°, −0.1°" instead of seventeen digits of radians; entries of other kinds as name and value.
 QStringList metaWords(const nlohmann::json& changes) {
   QStringList out;
@@ -92,19 +114,16 @@ QStringList metaWords(const nlohmann::json& changes) {
     if (value.is_object()) {
       out << metaWords(value);
     } else if (value.is_array() && value.size() == 3 && value[0].is_number()) {
-      const bool angle = name.endsWith(QLatin1String("_rad")), length = name.endsWith(QLatin1String("_m"));
+      const bool angle = name.endsWith(QLatin1String("_rad")),
+                 length = name.endsWith(QLatin1String("_m")) || name == QLatin1String("wrench_point");
       QStringList numbers;
       for (const auto& each : value) {
         const double v = each.get<double>();
         numbers << (angle ? numberText(v * 180.0 / M_PI, 1) + QStringLiteral("°")
                           : numberText(length ? 1e3 * v : v, length ? 1 : 3));
       }
-      const QString what = name == QLatin1String("rpy_rad") ? Words::tr("Rotation of the sensor about x, y, z")
-                           : name == QLatin1String("xyz_m") ? Words::tr("Place of the sensor in x, y, z")
-                           : name.startsWith("gravity")     ? Words::tr("Gravity in x, y, z")
-                                                            : name;
       out << QStringLiteral("%1: %2%3")
-                 .arg(what, numbers.join(QStringLiteral(", ")),
+                 .arg(metaKeyWords(name), numbers.join(QStringLiteral(", ")),
                       length                       ? QStringLiteral(" mm")
                       : name.startsWith("gravity") ? QStringLiteral(" m/s²")
                                                    : QString());
@@ -112,7 +131,7 @@ QStringList metaWords(const nlohmann::json& changes) {
       const QString text = value.is_string()   ? QString::fromStdString(value.get<std::string>())
                            : value.is_number() ? numberText(value.get<double>(), 4)
                                                : QString::fromStdString(value.dump());
-      out << QStringLiteral("%1: %2").arg(name, text);
+      out << QStringLiteral("%1: %2").arg(metaKeyWords(name), text);
     }
   }
   return out;

@@ -166,8 +166,10 @@ void RealityPanel::addCards(QVBoxLayout* column, const Found& found, bool& someN
     state.leftOut = !state.applied && leftOutAlready(cause, segments);
     state.applicable = canApply(report, cause) && !state.leftOut;
     state.details = details_ || open_.contains(QString::fromStdString(cause.id));
-    state.next = !someNext && !state.applied && state.applicable && helpsUnseen(cause) && !isTied(cause) &&
-                 !leavesMuch(report, cause);
+    const bool tiedReading = isReading(report, cause) && report.mistake->tied;
+    state.next =
+        !someNext && !state.applied &&
+        (tiedReading || (state.applicable && helpsUnseen(cause) && !isTied(cause) && !leavesMuch(report, cause)));
     someNext = someNext || state.next;
     return state;
   };
@@ -215,10 +217,11 @@ void RealityPanel::showReport(const Found& found) {
   VerdictText verdict = verdictText(report, count);
   const auto reading = std::ranges::find_if(report.causes, [&](const auto& c) { return isReading(report, c); });
   if (reading != report.causes.end() && !applied(reading->id))
-    verdict = {tr("The numbers mean something else"),
-               report.mistake->tied
-                   ? tr("More than one reading fits, each with another weight. State the right one; Heft does not guess.")
-                   : tr("Read the recording as physics says first; the rest of this page takes it as read so.")};
+    verdict = {
+        tr("The numbers mean something else"),
+        report.mistake->tied
+            ? tr("More than one reading fits, each with another weight. State the right one; Heft does not guess.")
+            : tr("Read the recording as physics says first; the rest of this page takes it as read so.")};
   QVBoxLayout* column = page()->restart(verdict.question, verdict.answer);
   QWidget* content = page()->content();
   if (const auto seed = practiceSeed(workspace().opened()->path); seed && !found.guess.empty())
