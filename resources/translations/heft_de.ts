@@ -2017,7 +2017,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Poses are of</source>
-        <translation>Lagen sind die von</translation>
+        <translation>Stellungen sind die von</translation>
     </message>
     <message>
         <source>Order of the quaternion</source>
@@ -9737,6 +9737,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>left over</source>
         <translation>übrig</translation>
     </message>
+    <message>
+        <source>pose</source>
+        <translation>Stellung</translation>
+    </message>
 </context>
 <context>
     <name>heft::DimensionEditor</name>
@@ -11269,10 +11273,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Ziehen, um sich durch die Aufnahme zu bewegen</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
         <source>%1 of %2 s</source>
         <translation>%1 von %2 s</translation>
     </message>
@@ -11307,6 +11307,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>pose %1 of %2</source>
+        <translation>Stellung %1 von %2</translation>
     </message>
 </context>
 <context>

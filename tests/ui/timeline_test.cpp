@@ -72,7 +72,7 @@ TEST(PlaybackBar, SliderAndPlaybackFollowEachOther) {
   Playback playback;
   PlaybackBar bar(&playback);
   playback.setRange(0, 10);
-  bar.setRecording(true, false);
+  bar.setRecording(true);
   auto* slider = bar.findChild<QSlider*>("timeSlider");
   ASSERT_NE(slider, nullptr);
   slider->setValue(slider->maximum() / 4);

@@ -180,7 +180,7 @@ void DifferencePane::showReport(std::shared_ptr<const DiagnosisReport> report,
   report_ = std::move(report);
   witnesses_ = std::move(witnesses);
   secret_ = secret;
-  if (bar_) bar_->setRecording(playback_->upper() > playback_->lower(), false);
+  if (bar_) bar_->setRecording(playback_->upper() > playback_->lower());
   if (same) return refresh();
   {
     const QSignalBlocker block(witness_), blockToo(channel_), blockThree(cause_);

@@ -223,7 +223,8 @@ void DifferenceTraces::drawPointer(QPainter& p, const std::array<Lane, 2>& lanes
   const int decimals = curves_.unit == QLatin1String("N") ? 3 : 4;
   const QString names[] = {tr("measured"), tr("without"), tr("with the causes"), tr("left over without"),
                            tr("left over with")};
-  QStringList left{tr("time")}, right{tr("%1 s").arg(numberText(curves_.time[at], 2))};
+  QStringList left{axis_->poses() ? tr("pose") : tr("time")},
+      right{axis_->poses() ? numberText(curves_.time[at], 0) : tr("%1 s").arg(numberText(curves_.time[at], 2))};
   for (int c = 0; c < 5; ++c) {
     const double v = curves_.value(c, at);
     if (!std::isfinite(v)) continue;
@@ -294,8 +295,9 @@ void DifferenceTraces::paintEvent(QPaintEvent*) {
   const int decimals = decimalsOf(ticks);
   for (const double tick : ticks) {
     const double x = std::clamp(axis_->toX(tick, width()), lower.area.left() + 10, lower.area.right() - 14);
-    p.drawText(QRectF(x - 40, lower.area.bottom() + 3, 80, 16), Qt::AlignCenter,
-               numberText(tick, decimals) + (tick == ticks.back() ? QStringLiteral(" s") : QString()));
+    p.drawText(
+        QRectF(x - 40, lower.area.bottom() + 3, 80, 16), Qt::AlignCenter,
+        numberText(tick, decimals) + (tick == ticks.back() && !axis_->poses() ? QStringLiteral(" s") : QString()));
   }
   if (time_ >= axis_->lower() && time_ <= axis_->upper()) {
     const double x = std::round(axis_->toX(time_, width())) + 0.5;

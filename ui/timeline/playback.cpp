@@ -14,7 +14,7 @@ void Playback::setRange(double lower, double upper, bool poses) {
   setPlaying(false);
   lower_ = lower;
   upper_ = std::max(lower, upper);
-  rate_ = poses ? 2.0 : 1.0;
+  poses_ = poses;
   time_ = lower_;
   loopFrom_ = loopTo_ = 0.0;
   emit timeChanged(time_);
@@ -48,7 +48,7 @@ void Playback::setPlaying(bool playing) {
 
 void Playback::advance() {
   // By the wall clock, so that a slow frame is skipped instead of slowing the motion down.
-  setTime(time_ + speed_ * rate_ * static_cast<double>(clock_.restart()) / 1000.0);
+  setTime(time_ + speed_ * (poses_ ? 2.0 : 1.0) * static_cast<double>(clock_.restart()) / 1000.0);
   if (loops() && (time_ >= loopTo_ || time_ < loopFrom_)) return setTime(loopFrom_);
   if (time_ >= upper_) setPlaying(false);
 }

@@ -16,6 +16,7 @@ class Playback : public QObject {
   double lower() const { return lower_; }
   double upper() const { return upper_; }
   double time() const { return time_; }
+  bool poses() const { return poses_; }
   bool playing() const { return timer_.isActive(); }
   double speed() const { return speed_; }
   bool loops() const { return loopTo_ > loopFrom_; }
@@ -39,7 +40,8 @@ class Playback : public QObject {
 
   QTimer timer_;
   QElapsedTimer clock_;
-  double lower_ = 0.0, upper_ = 0.0, time_ = 0.0, rate_ = 1.0, speed_ = 1.0, loopFrom_ = 0.0, loopTo_ = 0.0;
+  double lower_ = 0.0, upper_ = 0.0, time_ = 0.0, speed_ = 1.0, loopFrom_ = 0.0, loopTo_ = 0.0;
+  bool poses_ = false;
 };
 
 }  // namespace heft

@@ -66,7 +66,7 @@ PlaybackBar::PlaybackBar(Playback* playback, QWidget* parent, TimeAxis* axis)
   connect(slider_, &QSlider::valueChanged, this,
           [this](int value) { playback_->setTime(lower() + (upper() - lower()) * value / kSteps); });
   if (axis_) connect(axis_, &TimeAxis::visibleChanged, this, &PlaybackBar::showTime);
-  setRecording(false, false);
+  setRecording(false);
 }
 
 void PlaybackBar::buildMenu() {
@@ -107,8 +107,7 @@ void PlaybackBar::showSpeed() {
   speed_->setText(tr("%1×").arg(numberText(speed, speed < 0.2 ? 1 : speed < 1 ? 2 : 0)));
 }
 
-void PlaybackBar::setRecording(bool present, bool poses) {
-  poses_ = poses;
+void PlaybackBar::setRecording(bool present) {
   play_->setEnabled(present);
   slider_->setEnabled(present);
   slider_->setPageStep(kSteps / 20);
@@ -125,8 +124,10 @@ void PlaybackBar::showTime() {
   slider_->setValue(static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * kSteps)));
   if (!slider_->isEnabled()) {
     time_->clear();
-  } else if (poses_) {
-    time_->setText(tr("%1 of %2").arg(timeText(playback_->time(), true), numberText(playback_->upper(), 0)));
+  } else if (playback_->poses()) {
+    const QString at = numberText(std::round(playback_->time()), 0), last = numberText(playback_->upper(), 0);
+    time_->setText(QStringLiteral("%1/%2").arg(at, last));
+    time_->setToolTip(tr("pose %1 of %2").arg(at, last));
   } else {
     time_->setText(tr("%1 s").arg(numberText(playback_->time(), playback_->upper() < 100.0 ? 2 : 1)));
     time_->setToolTip(tr("%1 of %2 s").arg(numberText(playback_->time(), 2), numberText(playback_->upper(), 1)));

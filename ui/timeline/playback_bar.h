@@ -20,7 +20,7 @@ class PlaybackBar : public QWidget {
   explicit PlaybackBar(Playback* playback, QWidget* parent = nullptr, TimeAxis* axis = nullptr);
 
   /// Call after the playback's range changed.
-  void setRecording(bool present, bool poses);
+  void setRecording(bool present);
 
  private:
   void showTime();
@@ -37,7 +37,6 @@ class PlaybackBar : public QWidget {
   QToolButton* speed_;
   QSlider* slider_;
   QLabel* time_;
-  bool poses_ = false;
 };
 
 }  // namespace heft

@@ -286,7 +286,7 @@ void RecordingPane::setRecording(std::shared_ptr<const Recording> recording,
   cursor_->setTime(playback_->time());
   cursor_->setShown(present);
   setMeasuring(false);
-  bar_->setRecording(present, poses);
+  bar_->setRecording(present);
   setReport(std::move(report));
 }
 
