@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/estimation/normal_draws.h"
 #include "core/math/linear_algebra.h"
 
@@ -34,8 +35,7 @@ std::vector<WhiteRows> windowSums(const WrenchRows& rows, const NoiseModel& nois
     for (Eigen::Index w = 0; w < windows; ++w) {
       const Eigen::Index first = w * count / windows, last = (w + 1) * count / windows;
       WhiteRows sum = WhiteRows::Zero();
-      for (Eigen::Index k = first; k < last; ++k)
-        sum += whitener.white(rows, begin + k, weights.col(begin + k));
+      for (Eigen::Index k = first; k < last; ++k) sum += whitener.white(rows, begin + k, weights.col(begin + k));
       out.push_back(sum / std::sqrt(static_cast<double>(last - first)));
     }
   }
@@ -101,7 +101,8 @@ NoiseModel scaledToSlowNoise(NoiseModel noise, const WrenchRows& rows, const Noi
   for (int c = 0; c < 6; ++c) {
     if (known.silent[static_cast<std::size_t>(c)] || freedom[c / 3] < kFewestFreedom) continue;
     ArModel& channel = noise.channels[static_cast<std::size_t>(c)];
-    const double scale = std::max(std::sqrt(left[c / 3] / freedom[c / 3]), leastInnovation(channel, known.least(c)) / channel.sigma);
+    const double scale =
+        std::max(std::sqrt(left[c / 3] / freedom[c / 3]), leastInnovation(channel, known.least(c)) / channel.sigma);
     channel.sigma *= scale;
     noise.whitener.row(c) /= scale;
   }
@@ -116,16 +117,21 @@ double shortfallOfLearning(const WrenchRows& rows, const NoiseModel& noise, cons
   const Eigen::Index draws = std::clamp(kDrawnRows / used, kFewestDraws, kMostDraws);
   const NoiseModel weighting = bounded(noise);
   const Noise ones = Noise::Ones(6, rows.size());
-  WrenchRows made = rows;
   NormalDraws normal;
+  std::vector<Noise> made;
+  for (Eigen::Index draw = 0; draw < draws; ++draw) made.push_back(drawn(noise, runs, rows.size(), normal));
+  std::vector<double> expected(made.size()), found(made.size());
+  parallelFor(made.size(), [&](std::size_t draw) {
+    WrenchRows of = rows;
+    of.wrench = std::move(made[draw]);
+    expected[draw] = chiSquared(honestTriangle(of, noise, weighting, ones, runs));
+    const LearnedNoise learned = withTaken(learnedNoise(of, runs, known), of, runs, known);
+    found[draw] = chiSquared(honestTriangle(of, learned.noise, bounded(learned.noise), learned.weights, runs));
+  });
   double sum = 0.0, squares = 0.0, count = 0.0;
-  for (Eigen::Index draw = 0; draw < draws; ++draw) {
-    made.wrench = drawn(noise, runs, rows.size(), normal);
-    const double expected = chiSquared(honestTriangle(made, noise, weighting, ones, runs));
-    const LearnedNoise learned = withTaken(learnedNoise(made, runs, known), made, runs, known);
-    const double found = chiSquared(honestTriangle(made, learned.noise, bounded(learned.noise), learned.weights, runs));
-    if (!(expected > 0.0 && found > 0.0)) continue;
-    const double logRatio = std::log(found / expected);
+  for (std::size_t draw = 0; draw < made.size(); ++draw) {
+    if (!(expected[draw] > 0.0 && found[draw] > 0.0)) continue;
+    const double logRatio = std::log(found[draw] / expected[draw]);
     sum += logRatio;
     squares += logRatio * logRatio;
     count += 1.0;
