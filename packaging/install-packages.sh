@@ -1,7 +1,8 @@
 #!/bin/sh
 # Installs what building and testing Heft needs on Debian 12, and nothing if it is all there. Run by start.sh and check.sh.
 # libmujoco-dev and libsdformat-dev, 13 MB, read exported files back in the tests, which do without them, too.
-# HEFT_GUI=OFF leaves out Qt, VTK and QCustomPlot; HEFT_PYTHON=ON adds what the Python module and its tests need. (locales: a decimal comma for the tests;
+# HEFT_GUI=OFF leaves out Qt, VTK and QCustomPlot; HEFT_PYTHON=ON adds what the Python module and its tests need,
+# HEFT_STYLE=ON what style.sh does. (locales: a decimal comma for the tests;
 # groff-base and the last four: validate.sh; dpkg-dev and file: cpack.)
 set -eu
 
@@ -13,7 +14,10 @@ gui="libvtk9-qt-dev qtbase5-dev qttools5-dev libqt5svg5-dev libqcustomplot-dev x
      desktop-file-utils appstream shared-mime-info libxml2-utils"
 python="python3-dev pybind11-dev python3-numpy python3-matplotlib python3-pytest"
 
+style="git clang clang-format clang-tidy"
+
 packages=$core
+[ "${HEFT_STYLE:-OFF}" = OFF ] || packages="$packages $style"
 [ "${HEFT_PYTHON:-OFF}" = OFF ] || packages="$packages $python"
 [ "${HEFT_GUI:-ON}" = OFF ] || packages="$packages $gui"
 

@@ -8,6 +8,7 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/websocket.hpp>
 #include <chrono>
+#include <exception>
 
 #include "core/base/say.h"
 #include "core/base/text.h"
@@ -51,7 +52,12 @@ WebSocketClient::WebSocketClient(std::unique_ptr<Impl> impl) : impl_(std::move(i
 WebSocketClient::WebSocketClient(WebSocketClient&&) noexcept = default;
 WebSocketClient& WebSocketClient::operator=(WebSocketClient&&) noexcept = default;
 WebSocketClient::~WebSocketClient() {
-  if (impl_) impl_->close();
+  if (!impl_) return;
+  try {
+    impl_->close();
+  } catch (const std::exception&) {
+    // A connection that cannot even be closed is gone.
+  }
 }
 
 Result<WebSocketClient> WebSocketClient::connect(const std::string& host, std::uint16_t port,

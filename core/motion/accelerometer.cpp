@@ -18,7 +18,7 @@ Eigen::Matrix3Xd aboutMean(const Eigen::Matrix3Xd& x) { return x.colwise() - x.r
 Matrix3d rotationBetween(const Matrix3d& product) {
   const Eigen::JacobiSVD<Matrix3d> svd(product, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Matrix3d U = svd.matrixU();
-  const Matrix3d V = svd.matrixV();
+  const Matrix3d& V = svd.matrixV();
   if ((U * V.transpose()).determinant() < 0.0) U.col(2) = -U.col(2);
   return U * V.transpose();
 }

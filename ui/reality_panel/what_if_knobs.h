@@ -15,6 +15,7 @@ class QVBoxLayout;
 namespace heft {
 
 class WhatIfPane;
+struct OpenRecording;
 
 class WhatIfKnobs : public QObject {
   Q_OBJECT

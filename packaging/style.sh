@@ -1,0 +1,29 @@
+#!/bin/sh
+# What a change looks like: clang-format on all files, clang-tidy (.clang-tidy) on the sources that changed. Configures
+# build/tidy and compiles nothing.
+#   sh packaging/style.sh [SINCE]     SINCE: a commit; otherwise where this branch left origin/main, or the last commit
+set -eu
+cd "$(dirname "$0")/.."
+if ! git rev-parse --git-dir >/dev/null 2>&1; then
+  echo "== Style: skipped, since this folder is no git clone"
+  exit 0
+fi
+HEFT_STYLE=ON sh packaging/install-packages.sh
+echo "== clang-format"
+git ls-files '*.cpp' '*.h' | xargs clang-format --dry-run -Werror
+
+since=${1:-$(git merge-base HEAD origin/main 2>/dev/null || true)}
+[ -n "$since" ] && [ "$since" != "$(git rev-parse HEAD)" ] || since=$(git rev-parse -q --verify HEAD~1 || true)
+if [ -z "$since" ]; then
+  echo "== clang-tidy: skipped, since there is no earlier commit to compare with"
+  exit 0
+fi
+files=$(git diff --name-only --diff-filter=d "$since" -- 'app/*.cpp' 'core/*.cpp' 'ui/*.cpp')
+echo "== clang-tidy, $(echo "$files" | grep -c . || true) files changed since $(git rev-parse --short "$since")"
+[ -n "$files" ] || exit 0
+gui=${HEFT_GUI:-ON}
+[ "$gui" = ON ] || files=$(echo "$files" | grep -v '^ui/\|^app/studio/' || true)
+# Single files with their own flags: no unity, no precompiled headers.
+cmake --preset plain -B build/tidy -DHEFT_WITH_GUI="$gui" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
+  -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ >build/tidy.log || { tail -n 20 build/tidy.log >&2; exit 1; }
+echo "$files" | xargs -P "${JOBS:-$(nproc)}" -n 1 clang-tidy -p build/tidy --quiet
