@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <future>
+#include <optional>
+#include <utility>
 
+#include "core/base/parallel.h"
 #include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/estimation/spikes.h"
@@ -381,8 +383,12 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
   }
 
   Eigen::Index spikes = 0;
-  Recording cleaned = recording;
-  cleaned.wrench = withoutSpikes(recording.wrench, spikes);
+  std::optional<Recording> mended;
+  if (WrenchSamples wrench = withoutSpikes(recording.wrench, spikes); spikes > 0) {
+    mended = recording;
+    mended->wrench = std::move(wrench);
+  }
+  const Recording& cleaned = mended ? *mended : recording;
   EstimateOptions trial = options;
   const auto silent = silentChannels(cleaned.wrench);
   const auto cut = mostlyCutOff(flatTops(cleaned.wrench), cleaned.rows());
@@ -425,21 +431,28 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     at.motion.cutoffHz = cutoff;
     return prepareMotion(cleaned, robot, at, as);
   };
-  // The cutoffs know nothing of each other until they are compared.
-  std::vector<std::future<Result<Prepared>>> others;
-  if (choose)
-    for (const double cutoff : {12.0, 6.0, 3.0}) others.push_back(std::async(std::launch::async, prepareAt, cutoff));
-  auto best = prepareMotion(cleaned, robot, trial, as, std::move(first));
+  // The cutoffs know nothing of each other until they are compared. Two at a time: of an hour each takes a gigabyte.
+  constexpr std::array<double, 4> kCutoffs{kDefaultCutoffHz, 12.0, 6.0, 3.0};
+  std::array<std::optional<Result<Prepared>>, kCutoffs.size()> prepared;
+  const auto prepareTwo = [&](std::size_t from) {
+    parallelFor(choose ? 2 : 1, [&](std::size_t i) {
+      prepared[from + i].emplace(from + i == 0 ? prepareMotion(cleaned, robot, trial, as, std::move(first))
+                                               : prepareAt(kCutoffs[from + i]));
+    });
+  };
+  prepareTwo(0);
+  auto best = std::move(*prepared[0]);
   if (!best) return best.error();
   // Of the motion that lost least: what is smoothed further, is smoothed together with the wrench.
   std::optional<WrenchRows> widest;
   if (choose) {
     widest = best->blocks;
-    for (auto& other : others) {
-      auto next = other.get();
+    for (std::size_t i = 1; i < kCutoffs.size(); ++i) {
+      if (i == 2) prepareTwo(2);
       if (progress.cancelled()) return Error{"Stopped.", true};
-      if (!next || advantage(*best, *next) < kWorthSmoothing) continue;
-      best = std::move(next);
+      auto next = std::move(*prepared[i]);
+      prepared[i].reset();
+      if (next && advantage(*best, *next) >= kWorthSmoothing) best = std::move(next);
     }
     if (options.motion.outputRateHz <= 0.0) {
       trial.motion.outputRateHz = 0.0;

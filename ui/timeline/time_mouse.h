@@ -3,6 +3,7 @@
 // a band and zooms to it, with Shift or the middle button it pans; a click picks a time; a double click shows
 // everything.
 #include <QObject>
+#include <QPoint>
 #include <optional>
 #include <utility>
 
