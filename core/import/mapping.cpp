@@ -260,11 +260,26 @@ class Chooser {
              {stream.file, 0, 0}});
     }
     sayDemonstrations();
+    sayTransform();
     findings_.push_back({Severity::info,
                          "sources",
                          heft::say("Read {}.", fmt::join(texts, ", ")),
                          "",
                          {streams_[chosen_[0].stream].file, 0, 0}});
+  }
+
+  /// A transform is from its own parent: that this is the robot's base, and no chain of them, is an assumption.
+  void sayTransform() {
+    const auto turn = std::ranges::find(chosen_, "quaternion", [](const auto& c) { return partOf(c.column); });
+    const std::string frame = turn == chosen_.end() ? std::string() : transformOf(nameOf(*turn));
+    if (frame.empty()) return;
+    findings_.push_back({Severity::info,
+                         "transform_as_pose",
+                         heft::say("The transform of {} alone was taken for the sensor's pose in the robot's base; "
+                                   "transforms are not chained.",
+                                   printable(frame)),
+                         heft::say("If it begins elsewhere, record the joints, or the whole pose as one transform."),
+                         {streams_[turn->stream].file, 0, 0}});
   }
 
   void sayDemonstrations() {

@@ -9276,6 +9276,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Measure from the flange to the sensor&apos;s origin and compare with the meta file. If that is right, the torque is about another point: state wrench_point.</source>
         <translation>Messen Sie vom Flansch zum Ursprung des Sensors und vergleichen Sie mit der Metadatei. Stimmt das Maß, bezieht sich das Drehmoment auf einen anderen Punkt: Geben Sie wrench_point an.</translation>
     </message>
+    <message>
+        <source>The transform of {} alone was taken for the sensor&apos;s pose in the robot&apos;s base; transforms are not chained.</source>
+        <translation>Die Transformation von {} allein wurde als Stellung des Sensors in der Roboterbasis genommen; Transformationen werden nicht verkettet.</translation>
+    </message>
+    <message>
+        <source>If it begins elsewhere, record the joints, or the whole pose as one transform.</source>
+        <translation>Beginnt sie anderswo, zeichnen Sie die Gelenke auf oder die ganze Stellung als eine Transformation.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -1,6 +1,8 @@
 // Guesses from names: what is taken, and what never is.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/import/mapping.h"
 #include "tests/core/import/fixtures.h"
 
@@ -125,6 +127,9 @@ TEST(Candidates, TransformsAreToldApartByTheirFrames) {
   ASSERT_TRUE(chosen.ok()) << chosen.error().message;
   EXPECT_EQ(fieldOf(streams, *chosen, "qx"), "/tf:transforms[wrist_tool].transform.rotation.x");
   EXPECT_EQ(fieldOf(streams, *chosen, "px"), "/tf:transforms[wrist_tool].transform.translation.x");
+  const auto said = std::ranges::find(findings, "transform_as_pose", &Finding::code);
+  ASSERT_NE(said, findings.end());
+  EXPECT_NE(said->text.find("wrist_tool"), std::string::npos) << said->text;
   MappingWishes wishes;
   wishes.use["quaternion"] = "/tf:camera_link";
   const auto wished = chooseColumns(streams, wishes, {}, findings);
