@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "ui/models/numbers.h"
+#include "ui/reality_panel/cause_card.h"
 #include "ui/reality_panel/cause_words.h"
 #include "ui/reality_panel/difference_traces.h"
 #include "ui/timeline/overview_strip.h"
