@@ -59,7 +59,7 @@ int wrongUsage(const CLI::App& at, const CLI::App& root, const std::string& mess
 
 int runCommandLine(int argc, char** argv) {
   CLI::App root{
-      "Heft finds mass, centre of mass and inertia of what a robot carries, from a recording of its motion\n"
+      "Heft estimates the mass, centre of mass and inertia of a robot's payload, from a recording of its motion\n"
       "and of the force/torque sensor, and writes the payload file that the controller reads."};
   root.name("heft");
   root.set_version_flag("--version", heft::versionText("heft"), "Print the version and end");
@@ -70,7 +70,7 @@ int runCommandLine(int argc, char** argv) {
       "  heft simulate --motion excitation --seed 1 -o rec.csv      (or use your own recording)\n"
       "  heft estimate rec.csv --json result.json\n"
       "  heft export result.json --format franka-desk -o tool.json\n\n"
-      "Exit codes: 0 done, 1 could not be done, 2 wrong usage. 'heft COMMAND --help' shows one command.");
+      "Exit codes: 0 success, 1 failure, 2 usage error. 'heft COMMAND --help' shows one command.");
 
   const std::array commands{heft::cli::makeEstimateCommand(root), heft::cli::makeDiagnoseCommand(root),
                             heft::cli::makeSegmentCommand(root),  heft::cli::makeLiveCommand(root),

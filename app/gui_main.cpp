@@ -155,7 +155,7 @@ int main(int argc, char** argv) {
       "Lines of a script:\n" +
       heft::ScriptRunner::help() +
       "\n"
-      "Exit codes: 0 done, 1 could not be done, 2 wrong usage.");
+      "Exit codes: 0 success, 1 failure, 2 usage error.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

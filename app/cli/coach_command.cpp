@@ -283,7 +283,7 @@ CLI::App* addCommon(CLI::App& root, const char* name, const char* what, CoachArg
   app->add_option("--json", options.json, "Write the result as JSON; - is stdout, instead of the text")
       ->type_name("FILE");
   addRecordingOptions(*app, options.import);
-  app->add_option("--robot", options.robot, "panda or a URDF, instead of what the meta file names")->type_name("NAME");
+  app->add_option("--robot", options.robot, "panda or a URDF, instead of what the setup file names")->type_name("NAME");
   app->add_option("--tcp-speed", limits.tcpSpeed, "No point of the tool faster than this [m/s]")
       ->type_name("M/S")
       ->capture_default_str();

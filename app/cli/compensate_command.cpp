@@ -54,7 +54,7 @@ void run(const CompensateArguments& options) {
 
 Command makeCompensateCommand(CLI::App& root) {
   auto options = std::make_shared<CompensateArguments>();
-  CLI::App* app = root.add_subcommand("compensate", "Take the payload's share out of the measured wrench");
+  CLI::App* app = root.add_subcommand("compensate", "Subtract the payload from the measured wrench");
   app->add_option("RECORDING", options->recording,
                   "CSV with time, motion and wrench columns, SI units; or ROS bag, MCAP, HDF5, ...")
       ->type_name("")
@@ -68,7 +68,7 @@ Command makeCompensateCommand(CLI::App& root) {
       ->type_name("FILE");
   app->add_option("--json", options->json, "Write the phases as JSON; - is stdout, instead of the text")
       ->type_name("FILE");
-  app->add_option("--robot", options->robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
+  app->add_option("--robot", options->robot, "panda or a URDF, instead of the setup file's")->type_name("ROBOT");
   app->add_flag("--force", options->force, "Replace files that exist");
   addRecordingOptions(*app, options->import);
   addRateOption(*app, options->import);

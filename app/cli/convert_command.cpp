@@ -63,7 +63,7 @@ Meaning meaningOf(const ConvertArguments& options) {
   for (const auto& tie : report.ties) out.text += fmt::format("  fits as well: {}\n", tie.sentence);
   if (!report.decides.empty()) out.text += fmt::format("  {}\n", report.decides);
   if (const json& meta = out.conventions["meta"]; !meta.is_null())
-    out.text += fmt::format("  Write into the meta file: {}\n", meta.dump());
+    out.text += fmt::format("  Write into the setup file: {}\n", meta.dump());
   if (!report.check.empty()) out.text += fmt::format("  {}\n", report.check);
   return out;
 }
@@ -175,13 +175,13 @@ void run(const ConvertArguments& options) {
 
 Command makeConvertCommand(CLI::App& root) {
   auto options = std::make_shared<ConvertArguments>();
-  CLI::App* app = root.add_subcommand("convert", "Check a recording and write it in the plain form");
+  CLI::App* app = root.add_subcommand("convert", "Validate a recording and convert it to Heft CSV");
   app->add_option("IN", options->input, "The recording: CSV, ROS 1 or ROS 2 bag, MCAP, JSON lines, HDF5, MATLAB, NumPy")
       ->type_name("")
       ->required();
-  app->add_option("OUT", options->output, "CSV to write; its meta file is written beside it")->type_name("");
+  app->add_option("OUT", options->output, "CSV to write; its setup file is written beside it")->type_name("");
   app->add_flag("--list", options->list, "Show topics and columns and what would be taken from them; write nothing");
-  app->add_option("--robot", options->import.robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
+  app->add_option("--robot", options->import.robot, "panda or a URDF, instead of the setup file's")->type_name("ROBOT");
   addRecordingOptions(*app, options->import);
   addRateOption(*app, options->import);
   app->add_option("--json", options->json, "Also write what was found as JSON; - is stdout")->type_name("FILE");

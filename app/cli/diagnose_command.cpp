@@ -97,19 +97,19 @@ void run(const DiagnoseArguments& options) {
     printFindings(report.findings, true);
   }
   if (options.correctedMeta.empty() || !changes.empty()) return;
-  throw Failed(report.mistake && report.mistake->tied
-                   ? "Several readings of the numbers fit, each with another meta file; none was written. Decide for "
-                     "one, and write the keys that 'heft diagnose --json' has for it under frame_mistake into the meta "
-                     "file."
-                   : "The diagnosis proposes no change of the meta file; none was written.");
+  throw Failed(
+      report.mistake && report.mistake->tied
+          ? "Several readings of the numbers fit, each with another setup file; none was written. Decide for "
+            "one, and write the keys that 'heft diagnose --json' has for it under frame_mistake into the setup "
+            "file."
+          : "The diagnosis proposes no change of the setup file; none was written.");
 }
 
 }  // namespace
 
 Command makeDiagnoseCommand(CLI::App& root) {
   auto options = std::make_shared<DiagnoseArguments>();
-  CLI::App* app =
-      root.add_subcommand("diagnose", "Show what the simulation gets wrong, name the cause, measure the gain");
+  CLI::App* app = root.add_subcommand("diagnose", "Diagnose model errors: find the cause and quantify the improvement");
   app->add_option("RECORDING", options->recording, "CSV with time, motion and wrench columns, SI units")->type_name("");
   app->add_option("--json", options->json, "Write the result as JSON; - is stdout, instead of the text")
       ->type_name("FILE");
@@ -120,19 +120,18 @@ Command makeDiagnoseCommand(CLI::App& root) {
   app->add_option("--check", options->check, "Another recording of the same rig, to check the causes on")
       ->type_name("FILE");
   app->add_option("--corrected-meta", options->correctedMeta,
-                  "Where a cause means that the meta file is wrong, write the corrected one")
+                  "Where a cause means that the setup file is wrong, write the corrected one")
       ->type_name("FILE");
   addRecordingOptions(*app, options->import);
   addRateOption(*app, options->import);
-  app->add_option("--robot", options->robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
+  app->add_option("--robot", options->robot, "panda or a URDF, instead of the setup file's")->type_name("ROBOT");
   app->add_option("--segments", options->segments, "auto, marks or all, as for 'heft estimate'")->type_name("NAME");
-  app->add_option("--without", options->hidden, "Leave a cause out of the catalogue; may be given several times")
-      ->type_name("CAUSE");
+  app->add_option("--without", options->hidden, "Exclude a cause (repeatable)")->type_name("CAUSE");
   app->add_option("--surrogates", options->surrogates,
                   "Simulated clean recordings that set the threshold; 0: a fixed one")
       ->type_name("N")
       ->capture_default_str();
-  app->add_option("--seed", options->seed, "Of the simulated recordings")->type_name("N")->capture_default_str();
+  app->add_option("--seed", options->seed, "Random seed for the simulations")->type_name("N")->capture_default_str();
   app->add_flag("--timing", options->timing, "Show time and memory of each stage, in the JSON, too");
   app->add_flag("--list-causes", options->causes, "Show the catalogue");
   app->add_flag("--force", options->force, "Replace files that exist");

@@ -229,8 +229,7 @@ void addMethodOptions(CLI::App& app, EstimateArguments& options) {
       ->type_name("FILE")
       ->group(kMethodGroup);
   app.add_flag("--no-bias", options.noBias, "Do not estimate the six sensor biases")->group(kMethodGroup);
-  app.add_flag("--uncompressed", options.estimate.uncompressed,
-               "Solve on all rows instead of the triangle they reduce to")
+  app.add_flag("--uncompressed", options.estimate.uncompressed, "Solve on all rows instead of the QR-reduced system")
       ->group(kMethodGroup);
 }
 
@@ -308,7 +307,7 @@ Command makeEstimateCommand(CLI::App& root) {
       ->required();
   app->add_option("--json", options->json, "Write the result as JSON; - is stdout, instead of the text")
       ->type_name("FILE");
-  app->add_option("--robot", options->robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
+  app->add_option("--robot", options->robot, "panda or a URDF, instead of the setup file's")->type_name("ROBOT");
   app->add_option("-o,--output", options->output,
                   "Also write the payload file, in flange axes, ready for the controller")
       ->type_name("FILE");

@@ -96,7 +96,7 @@ Command makeExportCommand(CLI::App& root) {
       ->type_name("NAME");
   app->add_option("--frame", options->flange.sensorFrame, "Name of the sensor's frame in ROS, in formats that carry it")
       ->type_name("NAME");
-  app->add_option("--mount", options->mount, "Take the sensor's pose on the flange from this meta file")
+  app->add_option("--mount", options->mount, "Take the sensor's pose on the flange from this setup file")
       ->type_name("FILE");
   app->add_option("--xyz", options->xyz, "Sensor origin on the flange, x,y,z [m]")->type_name("X,Y,Z");
   app->add_option("--rpy", options->rpy, "Sensor rotation on the flange, roll,pitch,yaw [rad], fixed axes")

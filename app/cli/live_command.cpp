@@ -193,7 +193,7 @@ class StatusLine {
   double last_ = -1e9;
 };
 
-/// The meta file given, or that of the only recording replayed.
+/// The setup file given, or that of the only recording replayed.
 RecordingMeta metaOf(const LiveArguments& options, Findings& findings) {
   std::filesystem::path file = options.meta;
   const bool replays = std::ranges::all_of(options.sources, [](const auto& s) { return s.starts_with("replay:"); });
@@ -328,7 +328,7 @@ class LiveRun {
                            "robot_assumed",
                            "No robot is named; with seven joints it is taken to be a Franka Panda, with the sensor at "
                            "its flange.",
-                           "Name it with --robot, or in a meta file: --meta FILE.",
+                           "Name it with --robot, or in a setup file: --meta FILE.",
                            {}});
     }
     std::optional<RobotModel> robot;
@@ -399,8 +399,8 @@ Command makeLiveCommand(CLI::App& root) {
       ->type_name("")
       ->required();
   app->add_option("--record", options->record, "Write the samples to this CSV as they arrive")->type_name("FILE");
-  app->add_option("--meta", options->meta, "Meta file: robot, sensor mount, wrench sign, gravity")->type_name("FILE");
-  app->add_option("--robot", options->robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
+  app->add_option("--meta", options->meta, "Setup file: robot, sensor mount, wrench sign, gravity")->type_name("FILE");
+  app->add_option("--robot", options->robot, "panda or a URDF, instead of the setup file's")->type_name("ROBOT");
   app->add_option("--duration", options->duration, "End after so many seconds; otherwise at Ctrl-C")->type_name("S");
   addConventionChoice(*app, options->conventions);
   app->add_option("--shape", options->shape, "Shape of the tool, as in 'heft estimate'")->type_name("SHAPE");

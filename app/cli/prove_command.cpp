@@ -49,7 +49,7 @@ Command makeProveCommand(CLI::App& root) {
       ->required();
   app->add_option("--json", options->json, "Write the result as JSON; - is stdout, instead of the text")
       ->type_name("FILE");
-  app->add_option("--robot", options->robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
+  app->add_option("--robot", options->robot, "panda or a URDF, instead of the setup file's")->type_name("ROBOT");
   app->add_option("--segments", options->segments, "auto, marks or all, as for 'heft estimate'")->type_name("NAME");
   app->add_flag("--force", options->force, "Replace files that exist");
   addRecordingOptions(*app, options->import);

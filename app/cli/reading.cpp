@@ -26,7 +26,7 @@ Input withArm(ReadRecording read) {
   if (!recording.meta.robot)
     throw Failed(
         fmt::format("{} has joint angles, but nothing says of which arm: state \"robot\", \"panda\" or a URDF, in its "
-                    "meta file.",
+                    "setup file.",
                     recording.file));
   input.robot = orFail(robotFor(recording.meta, input.findings));
   mountOnFlange(recording.meta, *input.robot, input.findings);

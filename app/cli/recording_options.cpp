@@ -12,7 +12,7 @@ const char* const kReadingGroup = "Reading the recording";
 }  // namespace
 
 void addRecordingOptions(CLI::App& app, ImportOptions& options) {
-  app.add_option("--meta", options.metaFile, "Meta file; otherwise the recording's own .meta.json if it exists")
+  app.add_option("--meta", options.metaFile, "Setup file; otherwise the recording's own .meta.json if it exists")
       ->type_name("FILE")
       ->group(kReadingGroup);
   app.add_option("--join", options.join, "Further file recorded at the same time, such as the wrench; may be repeated")
@@ -32,7 +32,7 @@ void addRecordingOptions(CLI::App& app, ImportOptions& options) {
 
 void addConventionChoice(CLI::App& app, std::string& word) {
   app.add_option("--conventions", word,
-                 "as-stated: the numbers mean what the meta file says; suggested: what physics says\n"
+                 "as-stated: the numbers mean what the setup file says; suggested: what physics says\n"
                  "they mean, where that is plain")
       ->type_name("NAME")
       ->capture_default_str()

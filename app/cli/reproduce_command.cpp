@@ -57,7 +57,7 @@ void run(ReproduceArguments options) {
 
 Command makeReproduceCommand(CLI::App& root) {
   auto options = std::make_shared<ReproduceArguments>();
-  CLI::App* app = root.add_subcommand("reproduce", "Show the seed paper's tables beside ours, and why they differ");
+  CLI::App* app = root.add_subcommand("reproduce", "Reproduce the paper's tables and explain the differences");
   app->add_option("--seed", options->seed, "The same seed gives the same errors; runtimes always vary")
       ->type_name("N")
       ->capture_default_str();

@@ -86,7 +86,7 @@ Command makeRoomCommand(CLI::App& root) {
   app->add_option("--margin", options->margin, "That motions keep from everything [m]")
       ->type_name("M")
       ->capture_default_str();
-  app->add_option("--robot", options->robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
+  app->add_option("--robot", options->robot, "panda or a URDF, instead of the setup file's")->type_name("ROBOT");
   app->add_flag("--force", options->force, "Replace a file that exists");
   addRecordingOptions(*app, options->import);
   addRateOption(*app, options->import);

@@ -87,7 +87,7 @@ std::vector<std::string> RunningEstimate::news() {
   if (impl_->readSo || !impl_->watch.news()) return out;
   const conventions::Report* report = impl_->watch.report();
   if (!report) {
-    out.push_back("The numbers mean what the meta file says after all.");
+    out.push_back("The numbers mean what the setup file says after all.");
   } else if (report->verdict == conventions::Verdict::suggested && impl_->choice == ConventionChoice::suggested) {
     out.push_back(report->sentence + " The samples are read so from now on.");
     impl_->read(conventions::Report(*report));
@@ -99,7 +99,7 @@ std::vector<std::string> RunningEstimate::news() {
               : nlohmann::json(nullptr);
     if (!patch.is_null())
       out.push_back(
-          fmt::format("Write {} into the meta file, or add --conventions suggested. {}", patch.dump(), report->check));
+          fmt::format("Write {} into the setup file, or add --conventions suggested. {}", patch.dump(), report->check));
   }
   return out;
 }

@@ -53,7 +53,7 @@ Command makeSegmentCommand(CLI::App& root) {
       ->required();
   app->add_option("--json", options->json, "Write the segments as JSON; - is stdout, instead of the text")
       ->type_name("FILE");
-  app->add_option("--robot", options->robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
+  app->add_option("--robot", options->robot, "panda or a URDF, instead of the setup file's")->type_name("ROBOT");
   app->add_option("--payload", options->payload, "A first estimate: result or payload JSON, in sensor axes")
       ->type_name("FILE");
   app->add_option("--segments", options->segments, "auto: look for contact, marks win; marks: only what is marked")

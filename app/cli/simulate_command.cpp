@@ -51,7 +51,7 @@ json truthJson(const SimulationTruth& truth, const SimulateArguments& options) {
           {"effects", effects}};
 }
 
-/// The meta file as this command writes it, but for the note's motion, seed and rate; null if a person wrote or changed
+/// The setup file as this command writes it, but for the note's motion, seed and rate; null if a person wrote or changed
 /// it, or if it belongs to a real recording.
 json asSimulated(const std::string& text) {
   static const std::regex note(std::string(kNote) + ": [a-z-]+, seed [0-9]+, [0-9.e+]+ Hz");
@@ -64,7 +64,7 @@ json asSimulated(const std::string& text) {
 }
 
 /// Throws Failed unless both files are missing or as this command made them: it can make those again, but neither a
-/// recording of a real robot nor what a person wrote into the meta file.
+/// recording of a real robot nor what a person wrote into the setup file.
 void requireExpendable(const std::filesystem::path& csv, const RecordingMeta& meta, bool force) {
   const auto metaFile = metaFileOf(csv);
   const json fresh = asSimulated(orFail(metaText(meta, metaFile)));
@@ -259,7 +259,7 @@ Command makeSimulateCommand(CLI::App& root) {
       ->type_name("FILE");
   app->add_option("--json", options->json, "Also write what was made as JSON; - is stdout")->type_name("FILE");
   app->add_flag("--force", options->force,
-                "Replace a recording that was not simulated, or a meta file that was changed");
+                "Replace a recording that was not simulated, or a setup file that was changed");
   app->footer(
       "Examples:\n"
       "  heft simulate --motion excitation --seed 1 -o rec.csv --truth truth.json\n"

@@ -29,28 +29,28 @@ std::string onCommandLine(Remedy way, const std::string& subject) {
     case Remedy::stateRate:
       return heft::say("If the file has no clock, state its rate with --rate HZ.");
     case Remedy::nameRobot:
-      return heft::say("Name it with --robot, or in the meta file: \"robot\": \"panda\" or the path of a URDF.");
+      return heft::say("Name it with --robot, or in the setup file: \"robot\": \"panda\" or the path of a URDF.");
     case Remedy::mountSensor:
-      return heft::say("Set sensor.mount.parent in the meta file to one of: {}.", subject);
+      return heft::say("Set sensor.mount.parent in the setup file to one of: {}.", subject);
     case Remedy::stateConvention:
-      return heft::say("If so, write {} into the meta file.", subject);
+      return heft::say("If so, write {} into the setup file.", subject);
     case Remedy::turnWrench:
       return heft::say(
-          "Set sensor.wrench_sign in the meta file to the other convention (sensor_on_payload or payload_on_sensor).");
+          "Set sensor.wrench_sign in the setup file to the other convention (sensor_on_payload or payload_on_sensor).");
     case Remedy::turnGravity:
-      return heft::say("Turn gravity_m_s2 round in the meta file.");
+      return heft::say("Turn gravity_m_s2 round in the setup file.");
     case Remedy::correctMount:
-      return heft::say("Correct sensor.mount.rpy_rad in the meta file.");
+      return heft::say("Correct sensor.mount.rpy_rad in the setup file.");
     case Remedy::sayStandingPoses:
-      return heft::say("For standing poses say \"kind\": \"poses\" in the meta file.");
+      return heft::say("For standing poses say \"kind\": \"poses\" in the setup file.");
     case Remedy::keepEndsOut:
       return heft::say("Give --trim to keep them out.");
     case Remedy::giveCentre:
       return heft::say("Give it with --known to hold it fixed.");
     case Remedy::readSo:
-      return heft::say("Estimate with --conventions suggested, or write {} into the meta file.", subject);
+      return heft::say("Estimate with --conventions suggested, or write {} into the setup file.", subject);
     case Remedy::keepReading:
-      return subject.empty() ? std::string() : heft::say("To keep that, write {} into the meta file.", subject);
+      return subject.empty() ? std::string() : heft::say("To keep that, write {} into the setup file.", subject);
     case Remedy::giveInertia:
       return heft::say("Give it with --known, or a shape with --shape.");
   }

@@ -16,7 +16,7 @@ enum class Remedy {
   stateRate,         ///< Say at which rate a file without a clock was recorded.
   nameRobot,         ///< Say which robot was recorded.
   mountSensor,       ///< Say which link carries the sensor; subject: the links there are.
-  stateConvention,   ///< Say which unit or form the numbers have; subject: as in a meta file, "angle_unit": "deg".
+  stateConvention,   ///< Say which unit or form the numbers have; subject: as in a setup file, "angle_unit": "deg".
   turnWrench,        ///< The wrench has the other sign.
   turnGravity,       ///< Gravity points the other way.
   correctMount,      ///< The sensor is mounted turned.

@@ -243,7 +243,7 @@ void PoseGuide::judge() {
   const Vector3d values = symmetricEigen(spread).values;
   result_.known = used >= 4 && values(1) > kPoorSpread && fit.x(6) > 0.0 && result_.massStd < 0.3 * fit.x(6);
   if (used < 2 || values(2) < kPoorSpread) {
-    result_.spreadWords = "The tool has been in one tilt only: tilt it, at least by 30 degrees.";
+    result_.spreadWords = "All poses have the same orientation. Tilt the tool by at least 30°.";
   } else if (values(1) < kPoorSpread) {
     result_.spreadWords = "The tool has been tilted about one axis only: tilt it about another one too.";
   } else if (values(0) < kPoorSpread || used < 6) {
@@ -253,8 +253,9 @@ void PoseGuide::judge() {
                               : "Two axes of tilt are well covered; also hold the tool nearly upside down or level.";
   } else {
     result_.spread = values(0) > kGoodSpread ? ExcitationLight::good : ExcitationLight::coarse;
-    result_.spreadWords = values(0) > kGoodSpread ? "The tilts cover all directions."
-                                                  : "The tilts cover all directions a little: wider ones tell more.";
+    result_.spreadWords = values(0) > kGoodSpread
+                              ? "The tilts cover all directions."
+                              : "All directions are covered, but only slightly. Larger tilts give better results.";
   }
 }
 

@@ -10,7 +10,7 @@
 
 namespace heft::conventions {
 
-/// Everything that a meta file says about what the numbers mean, and what a mount or a base may turn out to be.
+/// Everything that a setup file says about what the numbers mean, and what a mount or a base may turn out to be.
 struct Reading {
   Conventions conventions;
   WrenchSign sign = WrenchSign::sensorOnPayload;  ///< Sign in the file
@@ -20,7 +20,7 @@ struct Reading {
   Vector3d gravity{0.0, 0.0, -9.81};  ///< g_B [m/s2]
 };
 
-/// How a recording is to be understood as its meta file has it.
+/// How a recording is to be understood as its setup file has it.
 Reading statedIn(const RecordingMeta& meta);
 
 /// What differs between two readings; the names are those of `frame_mistake.kind` in the contract.
@@ -54,7 +54,7 @@ std::string whatToCheck(const Reading& stated, const Reading& reading);
 /// The meta of a recording that is understood as `reading` instead of `stated`; its mount is turned where the motion
 /// comes from joints. Beside poses a turned sensor is no matter of the meta.
 RecordingMeta metaSo(RecordingMeta meta, const Reading& stated, const Reading& reading, bool fromJoints);
-/// The keys of a meta file that have to change, as a JSON merge patch; null where none does. `mount`: as stated.
+/// The keys of a setup file that have to change, as a JSON merge patch; null where none does. `mount`: as stated.
 nlohmann::json metaPatch(const Reading& stated, const Reading& reading, const SensorMount& mount, bool fromJoints);
 /// The contract's keys of what `conventions` says that is not the plain form, and "wrench_sign".
 nlohmann::json toJson(const Reading& reading);

@@ -197,7 +197,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   out.threshold = found->threshold;
   out.surrogates = static_cast<int>(found->chance.best.size());
 
-  progress(0.85, heft::say("Measuring the gain on unseen stretches"));
+  progress(0.85, heft::say("Measuring the gain on held-out segments"));
   Confirmed fitted = confirmed(hypothesis, found->chance, readings->steps, readings->have(ids::dropouts));
   const ByReadings by =
       byReadings(*readings, hypothesis, rmsOf(hypothesis.stretches, hypothesis.search.final.residual));

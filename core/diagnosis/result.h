@@ -55,7 +55,7 @@ struct DiagnosisSeries {
 
 struct DiagnosisReport {
   std::string file;
-  bool ofPoses = false;  ///< The sensor's pose was recorded: where the meta file mounts it is not used.
+  bool ofPoses = false;  ///< The sensor's pose was recorded: where the setup file mounts it is not used.
   Verdict verdict = Verdict::clean;
   std::string sentence;                  ///< The verdict in plain words
   diagnosis::WrenchRms baseline, noise;  ///< Misfit of bias and payload; noise floor
@@ -65,7 +65,7 @@ struct DiagnosisReport {
   int surrogates = 0;
   EstimateReport before, after;  ///< Payload as estimated from the recording, and with the causes taken out
   std::vector<Smallest> smallest;
-  nlohmann::json metaChanges() const;  ///< What the meta file should say instead; empty object: nothing
+  nlohmann::json metaChanges() const;  ///< What the setup file should say instead; empty object: nothing
   RecordingMeta meta;
   diagnosis::Model model;                          ///< Extended model
   std::optional<diagnosis::FrameMistake> mistake;  ///< Undone before everything else

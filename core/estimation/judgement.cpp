@@ -49,7 +49,7 @@ namespace {
 /// What is slow and strong in a channel's residual is no sensor noise: long memory shows it, and so does a residual far
 /// above its own scatter. Every channel is judged by its own noise; those that are not used are not counted.
 void sayMisfit(const Prepared& prepared, const Residuals& heldout, const Unseen& unseen, EstimateReport& report) {
-  constexpr double kStrong = 3.0;              // Times its scatter that a channel is missed
+  constexpr double kStrong = 3.0;               // Times its scatter that a channel is missed
   constexpr double kMemory = 8.0, kSlow = 1.3;  // Slow over fast noise, and times the scatter that this must be
   struct Missed {
     double times = 0.0;  // The scatter
@@ -83,11 +83,11 @@ void sayMisfit(const Prepared& prepared, const Residuals& heldout, const Unseen&
   report.findings.push_back(
       {Severity::warning,
        "misfit",
-       heft::say("On stretches that were not used for fitting, the model misses {}: something besides a rigid tool is at "
-                 "work (contact, drift, delay, a cable, a poorly calibrated sensor).",
-                 joined(missed)),
        heft::say(
-           "Trust is low: the true values may lie outside the intervals. Look at where the difference is large."),
+           "On segments that were not used for fitting, the model misses {}: something besides a rigid tool is at "
+           "work (contact, drift, delay, a cable, a poorly calibrated sensor).",
+           joined(missed)),
+       heft::say("Trust is low: the true values may lie outside the intervals. Look at where the difference is large."),
        {}});
 }
 

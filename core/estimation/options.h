@@ -15,7 +15,7 @@ namespace heft {
 
 enum class Method { map, ls, wls, tls, tlsFast, tlsExact, ceres, eigenLm, bruteForce };
 enum class ParameterSet { mass, massCom, full };
-/// What the recording's numbers are taken to mean: what its meta file says, or what physics says where that is plain.
+/// What the recording's numbers are taken to mean: what its setup file says, or what physics says where that is plain.
 enum class ConventionChoice { asStated, suggested };
 
 std::string_view toString(Method method);  ///< "tls-fast"

@@ -96,7 +96,7 @@ Result<std::optional<ChosenPrior>> fromShape(const EstimateOptions& options, con
   if (!fit.converged)
     findings.push_back({Severity::warning,
                         "shape_not_converged",
-                        heft::say("The search for the shape's material did not settle."),
+                        heft::say("Could not find a material density that fits this shape."),
                         heft::say("Check the shape's size and place."),
                         {}});
   if (fit.conflict > 30.0)

@@ -153,10 +153,10 @@ std::string headline(const EstimateReport& report) {
   if (report.parameters != ParameterSet::full) return line + (com ? " Mass and centre of mass are measured." : "");
   if (com && inertia) return line + " Mass, centre of mass and inertia are measured.";
   if (com)
-    return line + (inertiaPrior ? " Mass and centre are measured; inertia leans on your shape."
+    return line + (inertiaPrior ? " Mass and centre are measured; inertia relies on your shape."
                                 : " Mass and centre are measured; the inertia is not known from this motion.");
   return line + (comPrior ? " The centre of mass leans on what you gave, too."
-                          : " The centre of mass is not fully known from this motion.");
+                          : " The centre of mass is not fully determined by this motion.");
 }
 
 }  // namespace
@@ -259,7 +259,7 @@ std::string toText(const EstimateReport& report) {
     text += fmt::format("\n  {:.1f} s of {:.1f} s were used. ", report.usedDuration, report.duration);
   else
     text += fmt::format("\n  {} standing poses were used. ", report.samples);
-  text += fmt::format("Unseen parts are predicted to {:.3f} N and {:.4f} N m.\n", report.heldoutForceRms,
+  text += fmt::format("Held-out parts are predicted to {:.3f} N and {:.4f} N m.\n", report.heldoutForceRms,
                       report.heldoutTorqueRms);
   text += fmt::format("  Sensor bias {:.3f} {:.3f} {:.3f} N, {:.4f} {:.4f} {:.4f} N m.\n", report.forceBias(0),
                       report.forceBias(1), report.forceBias(2), report.torqueBias(0), report.torqueBias(1),

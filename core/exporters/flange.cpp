@@ -188,7 +188,7 @@ Result<SensorMount> sensorMountFromJson(const json& content, const std::string& 
   if (member(content, "xyz_m")) return readMount(content, where);
   return Error{heft::say(
       "{} holds no sensor mount: expected \"sensor\": {{\"mount\": {{\"xyz_m\": [x,y,z], \"rpy_rad\": [r,p,y]}}}} "
-      "as in a meta file.",
+      "as in a setup file.",
       where)};
 }
 

@@ -39,7 +39,7 @@ struct FlangePayload {
 /// Fails where there is no payload, or where the mount's parent link moves against the flange.
 Result<FlangePayload> toFlange(const nlohmann::json& result, const std::string& where, const FlangeOptions& options);
 
-/// The mount in a meta file's content ("sensor": {"mount": ...}), in a result ("sensor_mount"), or {"xyz_m",
+/// The mount in a setup file's content ("sensor": {"mount": ...}), in a result ("sensor_mount"), or {"xyz_m",
 /// "rpy_rad"}.
 Result<SensorMount> sensorMountFromJson(const nlohmann::json& content, const std::string& where);
 

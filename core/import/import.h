@@ -28,7 +28,7 @@ struct ImportOptions {
   std::vector<std::string> use;             ///< "wrench=/ft/raw", "q1=/arm:position[j1]"; stronger than the map file.
   double rateHz = 0.0;  ///< Of files without a clock; above 0 it holds before any time in the file, but for
                         ///< joined files that have a clock.
-  std::string robot;    ///< "panda" or a URDF, instead of the meta file's; empty: the meta file's.
+  std::string robot;    ///< "panda" or a URDF, instead of the setup file's; empty: the setup file's.
 
   /// True if nothing says where columns come from.
   bool empty() const { return mapFile.empty() && !wishes && join.empty() && use.empty() && rateHz <= 0.0; }

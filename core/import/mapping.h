@@ -39,14 +39,14 @@ struct MappingWishes {
   bool poseOfFlange = false;                ///< Poses are the flange's, not the sensor's.
   std::string clock;                        ///< "header", "received", or empty: whichever is better.
   double rateHz = 0.0;                      ///< Of files without a clock; 0: the file's own times.
-  StatedConventions conventions;            ///< Stronger than the meta file's.
+  StatedConventions conventions;            ///< Stronger than the setup file's.
 
   bool operator==(const MappingWishes&) const = default;
 };
 
 /// Reads a map file (JSON): {"use": {"wrench": "/ft/raw", "q1": "/arm:position[j1]"}, "scale": {"torque": 0.001},
 /// "offset_s": {"/ft/raw": 0.01}, "join": ["wrench.csv"], "pose_of": "flange", "clock": "header", "rate_hz": 125}, and
-/// the conventions as in a meta file: {"sensor": {"torque_unit": "N mm"}, "angle_unit": "deg"}. Relative files count
+/// the conventions as in a setup file: {"sensor": {"torque_unit": "N mm"}, "angle_unit": "deg"}. Relative files count
 /// from the map file's folder. Unknown keys fail.
 Result<MappingWishes> readMapFile(const std::filesystem::path& file);
 

@@ -185,7 +185,7 @@ void settleAxes(const std::vector<ColumnSource>& columns, Opened& opened, const 
        heft::say("UR's actual_TCP_force is in the robot's base axes, about the TCP, and without the payload that the "
                  "controller has configured; it was read so."),
        heft::say(
-           "State sensor.wrench_point in the meta file if the TCP is not at the sensor, or record ft_raw_wrench."),
+           "State sensor.wrench_point in the setup file if the TCP is not at the sensor, or record ft_raw_wrench."),
        {file, 0, 0}});
 }
 

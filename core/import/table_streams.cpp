@@ -246,7 +246,7 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
   const auto rowsAtMost = static_cast<std::size_t>(csv::countRows(*header));
   if (header->names.size() * rowsAtMost > kMaxStreamNumbers / 4)
     return errorAt({set.file, 0, 0}, heft::say("the table holds more cells than can be held in memory."),
-                   heft::say("Export fewer columns or a shorter stretch."));
+                   heft::say("Export fewer columns or a shorter segment."));
   std::vector<std::vector<std::string>> cells(header->names.size());
   std::vector<csv::Field> fields(header->names.size());
   for (std::size_t f = 0; f < fields.size(); ++f) fields[f].text = &cells[f];
@@ -341,7 +341,7 @@ Result<StreamSet> readJsonLines(const std::filesystem::path& path, const TimeCho
     ++rows;
     if (rows * table.names.size() > kMaxStreamNumbers)
       return errorAt({set.file, line, 0}, heft::say("the file holds more numbers than can be held in memory."),
-                     heft::say("Record fewer values, or a shorter stretch."));
+                     heft::say("Record fewer values, or a shorter segment."));
   }
   for (auto& column : table.columns) column.resize(rows, kNoNumber);
   if (rows == 0)

@@ -1,5 +1,5 @@
 #pragma once
-// Live samples from the conventions that a meta file states to the plain form.
+// Live samples from the conventions that a setup file states to the plain form.
 #include <optional>
 
 #include "core/base/result.h"

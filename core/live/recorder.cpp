@@ -26,7 +26,7 @@ Result<Recorder> Recorder::create(const std::filesystem::path& csv, const Record
   if (!text) return text.error();
   Recorder out;
   out.file_ = csv;
-  // Who has the CSV has the meta file: of two programs only one comes this far.
+  // Who has the CSV has the setup file: of two programs only one comes this far.
   auto disk = GrowingFile::create(csv);
   if (!disk) return disk.error();
   out.disk_ = std::move(*disk);

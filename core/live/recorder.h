@@ -13,12 +13,12 @@
 namespace heft {
 
 /// A CSV whose rows are handed to the system every fifth of a second and to the disk every second, by a thread of its
-/// own: a killed program loses at most that, and what is there ends with a whole row. The meta file is there before the
+/// own: a killed program loses at most that, and what is there ends with a whole row. The setup file is there before the
 /// first row. Without any row neither file stays.
 /// Not safe to use from several threads at once.
 class Recorder {
  public:
-  /// Fails if a file exists (nothing is ever overwritten; but see GrowingFile, and a meta file that says the same will
+  /// Fails if a file exists (nothing is ever overwritten; but see GrowingFile, and a setup file that says the same will
   /// do) or cannot be made; of two programs that try at once one succeeds, and the other leaves no trace.
   /// `meta.wrenchSign` and `meta.conventions` say what the samples' numbers mean; they are written as they come.
   static Result<Recorder> create(const std::filesystem::path& csv, const RecordingMeta& meta);

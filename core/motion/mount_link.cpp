@@ -35,7 +35,7 @@ void mountOnFlange(RecordingMeta& meta, const RobotModel& robot, Findings& findi
                       heft::say("Nothing says where the sensor sits; it is taken to be at the origin of the robot's "
                                 "link \"{}\".",
                                 meta.mount.parent),
-                      heft::say("State sensor.mount in the meta file."),
+                      heft::say("State sensor.mount in the setup file."),
                       {}});
 }
 

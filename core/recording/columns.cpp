@@ -78,7 +78,7 @@ NamedUnit splitUnit(std::string_view text) {
   return {lowered(name), lowered(text.substr(open + 1, text.size() - open - 2))};
 }
 
-/// The unit that a column is in by what the meta file states; SI where it states nothing.
+/// The unit that a column is in by what the setup file states; SI where it states nothing.
 std::string columnUnit(Column column, const Conventions& conventions) {
   const std::string angle = conventions.radPerAngle == 1.0 ? "rad" : "deg";
   const std::string length = conventions.mPerLength == 1.0 ? "m" : "mm";
@@ -183,7 +183,7 @@ class Mapper {
                        expected == si ? heft::say("column \"{}\" is not in SI units.", printable(names_[f]))
                                       : heft::say("column \"{}\" is in another unit than the one stated, {}.",
                                                   printable(names_[f]), expected),
-                       heft::say("Convert it to {} and name it {}, or state the unit of all such columns in the meta "
+                       heft::say("Convert it to {} and name it {}, or state the unit of all such columns in the setup "
                                  "file.",
                                  si, columnName(meaning.role, meaning.index)));
       const auto [first, fresh] = loose.emplace(key, field);

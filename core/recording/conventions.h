@@ -82,10 +82,10 @@ void takeOver(const StatedConventions& stated, Conventions& conventions);
 /// {KEY: VALUE} of all that is not plain.
 nlohmann::json toJson(const Conventions& conventions);
 
-/// The same as a patch of a meta file: {"sensor": {KEY: VALUE}, "pose": ...}.
+/// The same as a patch of a setup file: {"sensor": {KEY: VALUE}, "pose": ...}.
 nlohmann::json metaPatch(const Conventions& conventions);
 
-/// A patch of a meta file that says `before` and is to say `after`; null takes a key away.
+/// A patch of a setup file that says `before` and is to say `after`; null takes a key away.
 nlohmann::json metaPatch(const Conventions& before, const Conventions& after);
 
 /// What a map file says: all keys that are stated, plain ones too.

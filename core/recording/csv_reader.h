@@ -5,7 +5,7 @@
 // that falls, values missing in more than 5 % of the rows, degrees or millimetres, quaternions that are none. What can
 // be repaired without guessing is repaired and said in a finding: rows with missing values or a repeated time stamp are
 // left out, quaternions brought to length 1 and one sign, turns taken out of angles that wrap, a line cut off at the
-// end dropped. Units, axes and signs are converted where the meta file states them (conventions.h), never by a guess.
+// end dropped. Units, axes and signs are converted where the setup file states them (conventions.h), never by a guess.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -22,7 +22,7 @@ inline constexpr std::size_t kMaxRecordingBytes = std::size_t{1} << 30;
 
 struct ReadOptions {
   std::filesystem::path metaFile;  ///< Empty: NAME.meta.json beside NAME.csv if it exists.
-  std::string robot = {};          ///< Instead of the meta file's; empty: the meta file's.
+  std::string robot = {};          ///< Instead of the setup file's; empty: the setup file's.
 };
 
 struct ReadRecording {
@@ -59,7 +59,7 @@ Result<RecordingMeta> readMeta(const std::filesystem::path& file, Findings& find
 Result<RecordingMeta> parseMeta(std::string_view json, const std::string& name, const std::filesystem::path& folder,
                                 Findings& findings);
 
-/// Writes a meta file alone.
+/// Writes a setup file alone.
 Result<bool> writeMeta(const RecordingMeta& meta, const std::filesystem::path& file);
 
 /// Writes NAME.csv and NAME.meta.json in the file's own wrench sign and otherwise in the plain form, without any key of

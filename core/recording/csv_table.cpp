@@ -116,7 +116,7 @@ std::optional<Error> otherFormat(std::string_view text, const std::string& file)
             heft::toSay("Save the sheet as CSV first.")},
       Magic{"\xFF\xFE", heft::toSay("UTF-16 text"), heft::toSay("Save it as UTF-8 first.")},
       Magic{"\xFE\xFF", heft::toSay("UTF-16 text"), heft::toSay("Save it as UTF-8 first.")},
-      Magic{"{", "JSON", heft::toSay("Give the CSV of the recording; its meta file is found beside it.")},
+      Magic{"{", "JSON", heft::toSay("Give the CSV of the recording; its setup file is found beside it.")},
   };
   for (const auto& magic : kMagics)
     if (text.starts_with(magic.start))

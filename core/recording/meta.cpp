@@ -25,7 +25,8 @@ class MetaReader {
 
   Result<RecordingMeta> read(const Json& root) {
     if (!root.is_object())
-      return fail("", heft::say("a meta file must be a JSON object {{...}}"), heft::say("See the keys in the manual."));
+      return fail("", heft::say("a setup file must be a JSON object {{...}}"),
+                  heft::say("See the keys in the manual."));
     noteUnknown(root, "",
                 {"robot", "kind", "sensor", "gravity_m_s2", "known_payload", "clock_alignment_std_s", "marks", "note"},
                 conventionKeys(false));

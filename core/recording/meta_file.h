@@ -1,5 +1,5 @@
 #pragma once
-// The text of a meta file, and changing single keys of one without losing what else a person wrote into it.
+// The text of a setup file, and changing single keys of one without losing what else a person wrote into it.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -8,7 +8,7 @@
 
 namespace heft {
 
-/// What the meta file says, with `changes` on top (a JSON merge patch: null takes a key away). The changes alone where
+/// What the setup file says, with `changes` on top (a JSON merge patch: null takes a key away). The changes alone where
 /// there is no such file yet; an error where it is none.
 Result<nlohmann::json> mergedMeta(const std::filesystem::path& file, const nlohmann::json& changes);
 

@@ -34,7 +34,7 @@ struct SensorMount {
 };
 
 struct RecordingMeta {
-  std::optional<std::string> robot;  ///< "panda", a URDF path (made absolute against the meta file), or none.
+  std::optional<std::string> robot;  ///< "panda", a URDF path (made absolute against the setup file), or none.
   RecordingKind kind = RecordingKind::motion;
   SensorMount mount;
   std::string sensorModel;

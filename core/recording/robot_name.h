@@ -1,5 +1,5 @@
 #pragma once
-// Which robot a meta file or an option names.
+// Which robot a setup file or an option names.
 #include <filesystem>
 #include <string>
 

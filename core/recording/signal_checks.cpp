@@ -153,7 +153,7 @@ class SignalChecker {
         Severity::warning, "stretch_frozen", examined_.at(longest.from, field),
         heft::say("{} stays the same from {:.6g} to {:.6g} s ({} rows){}.", what, time_(longest.from),
                   time_(longest.to - 1), longest.length(),
-                  stretches.size() > 1 ? heft::say(", and in {} more stretches", stretches.size() - 1) : std::string()),
+                  stretches.size() > 1 ? heft::say(", and in {} more segments", stretches.size() - 1) : std::string()),
         remedy);
   }
 

@@ -1,4 +1,4 @@
-// Recording to CSV and meta file. Doubles are written in the shortest form that reads back to the same bits.
+// Recording to CSV and setup file. Doubles are written in the shortest form that reads back to the same bits.
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -114,7 +114,7 @@ Result<std::string> csvText(const Recording& recording) {
 
 nlohmann::ordered_json vectorJson(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-/// A path below the meta file's folder is written relative to it, so that both can move together.
+/// A path below the setup file's folder is written relative to it, so that both can move together.
 std::string robotText(const std::string& robot, const std::filesystem::path& metaFile) {
   const std::filesystem::path path(robot);
   if (!path.is_absolute()) return robot;

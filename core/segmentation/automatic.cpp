@@ -124,7 +124,7 @@ void chooseParts(const WrenchRows& rows, const FitWindows& windows, const std::v
       used.push_back(heft::say("{:.1f} to {:.1f} s", from, to));
     } else {
       const int note = blocks.addReason(
-          !steps[p].payload ? heft::say("Free, but the sensor's bias (or the payload) is another one here.")
+          !steps[p].payload ? heft::say("Free, but with a different sensor bias or payload.")
           : steps[p].massStep > 0.0
               ? heft::say("Free, but {:.2g} kg heavier than where the payload is estimated.", steps[p].massStep)
               : heft::say("Free, but {:.2g} kg lighter than where the payload is estimated.", -steps[p].massStep));
@@ -295,7 +295,7 @@ void markTrouble(const std::vector<Trouble>& troubles, const WrenchRows& rows, S
       lasts += trouble.to - trouble.from;
       if (where.size() < kListed) where.push_back(heft::say("{:.2f} to {:.2f} s", trouble.from, trouble.to));
     }
-    const std::string all = stretches.size() > kListed ? heft::say("{} and {} more stretches, {:.2g} s in all",
+    const std::string all = stretches.size() > kListed ? heft::say("{} and {} more segments, {:.2g} s in all",
                                                                    joined(where), stretches.size() - kListed, lasts)
                                                        : joined(where);
     findings.push_back({Severity::warning,

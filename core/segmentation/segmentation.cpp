@@ -55,9 +55,9 @@ void leaveOutMarked(const Recording& recording, const WrenchRows& rows, SegmentB
 std::string reasonFor(SegmentKind kind, SegmentMode mode) {
   if (mode == SegmentMode::all) return heft::say("Everything was asked for.");
   if (mode == SegmentMode::marks) return heft::say("Not marked as contact.");
-  if (kind == SegmentKind::contact) return heft::say("A push that the motion does not explain.");
+  if (kind == SegmentKind::contact) return heft::say("Force not explained by the motion.");
   if (kind == SegmentKind::standing) return heft::say("At rest, and a rigid tool explains the forces.");
-  return heft::say("A rigid tool explains the forces here.");
+  return heft::say("Forces match a rigid tool.");
 }
 
 /// How sure the label of blocks [from, to) is. A contact is the surer the further its peak lies above the limit that

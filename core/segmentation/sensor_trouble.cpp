@@ -63,7 +63,7 @@ std::vector<Trouble> sensorTrouble(const Recording& recording) {
   };
   const Changes changes = changesOf(wrench);
   for (const FrozenStretch& hung : frozenStretches(time, changes, kShortest))
-    add(hung, heft::say("The sensor's values stand still here: it sent nothing new."));
+    add(hung, heft::say("Sensor values frozen: no new data."));
   const auto silent = silentChannels(wrench);
   const auto tops = flatTops(wrench);
   const auto cut = mostlyCutOff(tops, wrench.rows());

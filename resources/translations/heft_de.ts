@@ -8,7 +8,7 @@
         <translation>Ungesehener Fehler %1 vorher, %2 nachher, Rauschen %3</translation>
     </message>
     <message>
-        <source>Root mean square of what the model misses, on stretches that it was not fitted to.</source>
+        <source>Root mean square of what the model misses, on segments that it was not fitted to.</source>
         <translation>Effektivwert dessen, was das Modell verfehlt, auf Abschnitten, an die es nicht angepasst wurde.</translation>
     </message>
     <message>
@@ -20,7 +20,7 @@
         <translation>nachher</translation>
     </message>
     <message>
-        <source>Measured, old and improved simulation on the unseen stretch</source>
+        <source>Measured, old and improved simulation on the held-out segment</source>
         <translation>Gemessen, alte und verbesserte Simulation auf dem ungesehenen Abschnitt</translation>
     </message>
     <message>
@@ -52,7 +52,7 @@
         <translation>Besser auf</translation>
     </message>
     <message>
-        <source>%1 of %2 unseen stretches</source>
+        <source>%1 of %2 held-out segments</source>
         <translation>%1 von %2 ungesehenen Abschnitten</translation>
     </message>
     <message>
@@ -64,7 +64,7 @@
         <translation>%1 % (95 %: %2 bis %3 %)</translation>
     </message>
     <message>
-        <source>Share of the squared error that goes away on unseen stretches</source>
+        <source>Share of the squared error that goes away on held-out segments</source>
         <translation>Anteil des quadrierten Fehlers, der auf ungesehenen Abschnitten verschwindet</translation>
     </message>
     <message>
@@ -80,7 +80,7 @@
         <translation>Angewandt</translation>
     </message>
     <message>
-        <source>Take back</source>
+        <source>Undo</source>
         <translation>Zurücknehmen</translation>
     </message>
     <message>
@@ -100,7 +100,7 @@
         <translation>Die Ursache wird Teil des Modells: Ergebnis, Vorhersage und Ausgabe benutzen sie</translation>
     </message>
     <message>
-        <source>Heft allows for it already; the cure is on the rig.</source>
+        <source>Already compensated; fix it on the robot.</source>
         <translation>Heft berücksichtigt es bereits; abgestellt wird es am Aufbau.</translation>
     </message>
     <message>
@@ -159,11 +159,11 @@
         <translation>Ursache gefunden</translation>
     </message>
     <message>
-        <source>Error on an unseen stretch, before and after</source>
+        <source>Error on an held-out segment, before and after</source>
         <translation>Fehler auf einem ungesehenen Abschnitt, vorher und nachher</translation>
     </message>
     <message>
-        <source>The model was fitted without this stretch. Grey: twice the sensor’s noise.</source>
+        <source>The model was fitted without this segment. Grey: twice the sensor’s noise.</source>
         <translation>Das Modell wurde ohne diesen Abschnitt angepasst. Grau: das doppelte Rauschen des Sensors.</translation>
     </message>
     <message>
@@ -171,7 +171,7 @@
         <translation>Ungesehener Fehler %1 → %2; gestrichelt: Rauschen %3.</translation>
     </message>
     <message>
-        <source>Check on the rig:</source>
+        <source>Check on the robot:</source>
         <translation>Am Aufbau prüfen:</translation>
     </message>
     <message>
@@ -195,7 +195,7 @@
         <translation>Zum Entscheiden:</translation>
     </message>
     <message>
-        <source>Record it</source>
+        <source>Record this motion</source>
         <translation>Aufnehmen</translation>
     </message>
     <message>
@@ -251,7 +251,7 @@
         <translation>Modell passt</translation>
     </message>
     <message>
-        <source>Only the sensor’s noise is left.</source>
+        <source>The remaining error is sensor noise.</source>
         <translation>Es bleibt nur das Rauschen des Sensors.</translation>
     </message>
     <message>
@@ -283,7 +283,7 @@
         <translation>Wert und halber 95-%-Bereich; in Dateien: %1</translation>
     </message>
     <message>
-        <source>It fits the recording, but did not help on stretches that were kept aside. Apply it only if what you find on the rig confirms it.</source>
+        <source>It fits the recording, but did not help on segments that were kept aside. Apply it only if what you find on the rig confirms it.</source>
         <translation>Es passt zur Aufnahme, half aber auf zurückgelegten Abschnitten nicht. Wenden Sie es nur an, wenn Sie es am Aufbau bestätigt finden.</translation>
     </message>
     <message>
@@ -295,7 +295,7 @@
         <translation>Die Drehmomente passen dort damit schlechter: %1 → %2 N m.</translation>
     </message>
     <message>
-        <source>These stretches are left out already; the step Mark shows them.</source>
+        <source>These segments are already excluded (see Mark).</source>
         <translation>Diese Abschnitte sind schon ausgelassen; der Schritt Markieren zeigt sie.</translation>
     </message>
     <message>
@@ -583,7 +583,7 @@
         <translation>für Programme</translation>
     </message>
     <message>
-        <source>This file sets the load on top of the end effector. The robot’s own tool belongs into Franka Desk; stated in both, its weight counts twice.</source>
+        <source>This file sets the load on top of the end effector. Enter the robot’s own tool in Franka Desk instead; otherwise its weight counts twice.</source>
         <translation>Diese Datei setzt die Last zusätzlich zum Endeffektor. Das eigene Werkzeug des Roboters gehört in Franka Desk; an beiden Stellen angegeben, zählt sein Gewicht doppelt.</translation>
     </message>
     <message>
@@ -591,7 +591,7 @@
         <translation>Diese Datei beschreibt den eigenen Endeffektor des Roboters. Was er aufgenommen hat, gehört in setLoad (libfranka oder ROS), zusätzlich zum Werkzeug, das schon da ist.</translation>
     </message>
     <message>
-        <source>A UR wants tool and load together in one number: tick the tool under “What else is mounted?”.</source>
+        <source>UR expects tool and load combined: tick the tool under “What else is mounted?”.</source>
         <translation>Ein UR will Werkzeug und Last zusammen in einer Zahl: Haken Sie das Werkzeug unter „Was ist noch angebaut?“ an.</translation>
     </message>
     <message>
@@ -607,7 +607,7 @@
         <translation>Die Trägheit beruht auf Ihrer Form, nicht auf der Bewegung. Gut für langsame Arbeit; nehmen Sie für schnelle Arbeit schnellere Drehungen auf.</translation>
     </message>
     <message>
-        <source>A real body can have these numbers.</source>
+        <source>Physically consistent.</source>
         <translation>Ein wirklicher Körper kann diese Werte haben.</translation>
     </message>
     <message>
@@ -684,7 +684,7 @@
         <translation>langsam nach vorn neigen</translation>
     </message>
     <message>
-        <source>Tilt the tool round in a slow circle, as if stirring</source>
+        <source>Move the tool in a slow circle, as if stirring</source>
         <translation>Neigen Sie das Werkzeug langsam im Kreis, wie beim Umrühren</translation>
     </message>
     <message>
@@ -692,7 +692,7 @@
         <translation>langsam im Kreis neigen</translation>
     </message>
     <message>
-        <source>Turn the tool about its long axis, slowly and far</source>
+        <source>Rotate the tool slowly about its long axis, as far as it goes</source>
         <translation>Drehen Sie das Werkzeug langsam und weit um seine Längsachse</translation>
     </message>
     <message>
@@ -700,7 +700,7 @@
         <translation>langsam und weit drehen</translation>
     </message>
     <message>
-        <source>Turn the tool to and fro about its long axis, faster</source>
+        <source>Rotate the tool back and forth about its long axis, faster</source>
         <translation>Drehen Sie das Werkzeug schneller um seine Längsachse hin und her</translation>
     </message>
     <message>
@@ -848,7 +848,7 @@
         <translation>Benutzt.</translation>
     </message>
     <message>
-        <source>The tool hangs nearly as in another pose: tilt it further.</source>
+        <source>Too similar to an earlier pose. Tilt the tool further.</source>
         <translation>Das Werkzeug hängt fast wie in einer anderen Haltung: Neigen Sie es weiter.</translation>
     </message>
     <message>
@@ -856,7 +856,7 @@
         <translation>Das Werkzeug hat sich bewegt: Halten Sie es eine Sekunde still.</translation>
     </message>
     <message>
-        <source>The force is %1 N off what the other poses say: something touched the tool.</source>
+        <source>The force differs by %1 N from the other poses: something touched the tool.</source>
         <translation>Die Kraft weicht um %1 N von dem ab, was die anderen Haltungen sagen: Etwas hat das Werkzeug berührt.</translation>
     </message>
     <message>
@@ -871,11 +871,11 @@
         </translation>
     </message>
     <message>
-        <source>The tilts cover all directions a little: wider ones tell more.</source>
+        <source>All directions are covered, but only slightly. Larger tilts give better results.</source>
         <translation>Die Neigungen decken alle Richtungen ein wenig ab: Weitere sagen mehr.</translation>
     </message>
     <message>
-        <source>The tool has been in one tilt only: tilt it, at least by 30 degrees.</source>
+        <source>All poses have the same orientation. Tilt the tool by at least 30°.</source>
         <translation>Das Werkzeug hatte bisher nur eine Neigung: Neigen Sie es um mindestens 30 Grad.</translation>
     </message>
     <message>
@@ -946,7 +946,7 @@
         <translation>bis zum Ende abgespielt</translation>
     </message>
     <message>
-        <source>Wobble the tool: tip it to all sides and twist it at once, about twice a second</source>
+        <source>Wobble the tool: tilt it in all directions while twisting it, about twice a second</source>
         <translation>Das Werkzeug wackeln: nach allen Seiten kippen und zugleich drehen, etwa zweimal je Sekunde</translation>
     </message>
     <message>
@@ -954,7 +954,7 @@
         <translation>wackeln: kippen und drehen zugleich</translation>
     </message>
     <message>
-        <source>Shake the tool from the wrist, two to three times a second: tip it to all sides and twist it at once</source>
+        <source>Shake the tool from the wrist, two to three times a second: tilt it in all directions while twisting it</source>
         <translation>Das Werkzeug aus dem Handgelenk schütteln, zwei- bis dreimal je Sekunde: nach allen Seiten kippen und zugleich drehen</translation>
     </message>
     <message>
@@ -962,7 +962,7 @@
         <translation>aus dem Handgelenk schütteln</translation>
     </message>
     <message>
-        <source>Swing the tool from the wrist, once a second: tip it to all sides and twist it at once</source>
+        <source>Swing the tool from the wrist, once a second: tilt it in all directions while twisting it</source>
         <translation>Das Werkzeug aus dem Handgelenk schwenken, einmal je Sekunde: nach allen Seiten kippen und zugleich drehen</translation>
     </message>
     <message>
@@ -997,14 +997,14 @@
         <translation>nicht sicher</translation>
     </message>
     <message numerus="yes">
-        <source>Only free parts are used. Please check %n stretch(es).</source>
+        <source>Only free parts are used. Please check %n segment(es).</source>
         <translation>
             <numerusform>Nur freie Teile werden benutzt. Bitte prüfen Sie %n Abschnitt.</numerusform>
             <numerusform>Nur freie Teile werden benutzt. Bitte prüfen Sie %n Abschnitte.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Heft found nothing that touched the tool.</source>
+        <source>No contact detected.</source>
         <translation>Heft fand nichts, was das Werkzeug berührt hat.</translation>
     </message>
     <message>
@@ -1433,7 +1433,7 @@
         <translation>Ein Pass braucht ein Ergebnis.</translation>
     </message>
     <message>
-        <source>%1 exists already and was not replaced.</source>
+        <source>%1 already exists and was not overwritten.</source>
         <translation>%1 gibt es schon und wurde nicht ersetzt.</translation>
     </message>
 </context>
@@ -1444,7 +1444,7 @@
         <translation>Worauf achten</translation>
     </message>
     <message>
-        <source>When is the difference large: at fast moves, at some places, after a moment, all the time? Does it jump, drift or ring? The views below the arm show it by frequency and against the motion.</source>
+        <source>When is the residual large – during fast motion, at certain positions, from some time on, always? Does it jump, drift or oscillate? The views below the arm show it by frequency and against the motion.</source>
         <translation>Wann ist die Abweichung groß: bei schnellen Bewegungen, an manchen Orten, ab einem Augenblick, die ganze Zeit? Springt sie, wandert sie, schwingt sie nach? Die Ansichten unter dem Arm zeigen sie nach Frequenz und gegen die Bewegung.</translation>
     </message>
     <message>
@@ -1468,11 +1468,11 @@
         <translation>Ihr Tipp „%1“ sähe so aus: %2</translation>
     </message>
     <message>
-        <source>To tell them apart on a real rig: %1</source>
+        <source>How to tell them apart on a real robot: %1</source>
         <translation>So unterscheidet man sie am wirklichen Aufbau: %1</translation>
     </message>
     <message>
-        <source>Another one</source>
+        <source>Next exercise</source>
         <translation>Noch eine</translation>
     </message>
     <message>
@@ -1756,7 +1756,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Wie angegeben, wöge das Werkzeug %1 kg.</translation>
     </message>
     <message>
-        <source>Not what the meta file says</source>
+        <source>Not what the setup file says</source>
         <translation>Anders als die Meta-Datei sagt</translation>
     </message>
     <message>
@@ -1803,7 +1803,7 @@ Bitte prüfen Sie den Namen.</translation>
 <context>
     <name>RealityPage</name>
     <message>
-        <source>This is where the simulation differs from your data.</source>
+        <source>Differences between simulation and measurement:</source>
         <translation>Hier weicht die Simulation von Ihren Daten ab.</translation>
     </message>
     <message>
@@ -1811,7 +1811,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Das Modell passt</translation>
     </message>
     <message>
-        <source>Nothing in your data calls for a correction.</source>
+        <source>No correction needed.</source>
         <translation>Nichts in Ihren Daten verlangt eine Berichtigung.</translation>
     </message>
     <message>
@@ -1877,7 +1877,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Das ist weniger als die angegebene Unsicherheit.</translation>
     </message>
     <message>
-        <source>Writes a copy of the meta file with these entries; later recordings then start out right.</source>
+        <source>Writes a copy of the setup file with these entries; later recordings then start out right.</source>
         <translation>Schreibt eine Kopie der Meta-Datei mit diesen Einträgen; spätere Aufnahmen beginnen dann richtig.</translation>
     </message>
     <message>
@@ -1972,7 +1972,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Roboter und Sensor …</translation>
     </message>
     <message>
-        <source>Save as a meta file …</source>
+        <source>Save as a setup file …</source>
         <translation>Als Meta-Datei speichern …</translation>
     </message>
     <message>
@@ -2108,7 +2108,7 @@ Bitte prüfen Sie den Namen.</translation>
 95-%-Intervall: %2 bis %3 %4</translation>
     </message>
     <message>
-        <source>Mass, centre and inertia are measured.</source>
+        <source>Mass, centre of mass and inertia: all measured.</source>
         <translation>Masse, Schwerpunkt und Trägheit sind gemessen.</translation>
     </message>
     <message>
@@ -2140,11 +2140,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>%1 ist gemessen</translation>
     </message>
     <message>
-        <source>%1 are not fully known from this motion</source>
+        <source>%1 are not fully determined by this motion</source>
         <translation>%1 sind aus dieser Bewegung nicht ganz bekannt</translation>
     </message>
     <message>
-        <source>%1 is not fully known from this motion</source>
+        <source>%1 is not fully determined by this motion</source>
         <translation>%1 ist aus dieser Bewegung nicht ganz bekannt</translation>
     </message>
     <message>
@@ -2208,7 +2208,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Rest, Moment</translation>
     </message>
     <message>
-        <source>On unseen parts</source>
+        <source>Held-out error</source>
         <translation>Auf ungesehenen Teilen</translation>
     </message>
     <message>
@@ -2216,7 +2216,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Dasselbe auf Teilen, die die Schätzung nicht gesehen hat</translation>
     </message>
     <message>
-        <source>Sensor zero, force</source>
+        <source>Sensor bias, force</source>
         <translation>Sensornullpunkt, Kraft</translation>
     </message>
     <message>
@@ -2248,7 +2248,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Trägheit %1 %</translation>
     </message>
     <message>
-        <source>Off what you stated</source>
+        <source>Deviation from reference</source>
         <translation>Abstand zu Ihren Angaben</translation>
     </message>
     <message>
@@ -2272,7 +2272,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Positive Masse und eine Trägheit, die irgendeine Massenverteilung haben kann</translation>
     </message>
     <message>
-        <source>Time to compute</source>
+        <source>Computation time</source>
         <translation>Rechenzeit</translation>
     </message>
     <message>
@@ -2721,7 +2721,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>%1: Ein Bericht endet auf .html oder .pdf.</translation>
     </message>
     <message>
-        <source>%1 exists already and was not replaced.</source>
+        <source>%1 already exists and was not overwritten.</source>
         <translation>%1 gibt es schon und wurde nicht ersetzt.</translation>
     </message>
     <message>
@@ -2852,11 +2852,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>not said yet</source>
+        <source>not specified</source>
         <translation>noch nicht gesagt</translation>
     </message>
     <message>
-        <source>not known, motion alone</source>
+        <source>none (motion only)</source>
         <translation>unbekannt, nur Bewegung</translation>
     </message>
     <message>
@@ -2875,11 +2875,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Grob: Die Zeichnung stimmt auf etwa 10 %, und das Material darf von Teil zu Teil anders sein.</translation>
     </message>
     <message>
-        <source>Rough: each length is right to about 20 %, by eye.</source>
+        <source>Rough: within about 20 % (by eye).</source>
         <translation>Grob: Jede Länge stimmt auf etwa 20 %, nach Augenmaß.</translation>
     </message>
     <message>
-        <source>Good: this very tool, right to about 2 %.</source>
+        <source>Good: CAD of this tool, within about 2 %.</source>
         <translation>Gut: genau dieses Werkzeug, auf etwa 2 % richtig.</translation>
     </message>
     <message>
@@ -2887,7 +2887,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Gut: Jede Länge stimmt auf etwa 4 %, wie mit dem Lineal gemessen.</translation>
     </message>
     <message>
-        <source>Exact: from its drawing, and the inside is one even material.</source>
+        <source>Exact: from drawings, uniform material.</source>
         <translation>Genau: nach der Zeichnung, und innen überall dasselbe Material.</translation>
     </message>
     <message>
@@ -2911,7 +2911,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Das Loch muss kleiner sein als das Rohr außen, %1.</translation>
     </message>
     <message>
-        <source>A wall of %1 leaves no hollow: it must be thinner than %2.</source>
+        <source>A wall of %1 is too thick for this size: it must be thinner than %2.</source>
         <translation>Eine Wand von %1 lässt keinen Hohlraum: Sie muss dünner als %2 sein.</translation>
     </message>
     <message>
@@ -3037,7 +3037,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Berichtigungen der Realitätsprüfung stecken in diesen Zahlen: {}.</translation>
     </message>
     <message>
-        <source>The sensor&apos;s zero wanders slowly during the recording; this is allowed for.</source>
+        <source>The sensor zero drifts slowly; this is compensated.</source>
         <translation>Der Nullpunkt des Sensors wandert während der Aufnahme langsam; das ist berücksichtigt.</translation>
     </message>
     <message>
@@ -3053,7 +3053,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Wiederholen Sie die Aufnahme, ohne etwas zu berühren.</translation>
     </message>
     <message>
-        <source>Taking these causes out does not help to predict unseen stretches, so the payload is left as it was.</source>
+        <source>Taking these causes out does not help to predict held-out segments, so the payload is left as it was.</source>
         <translation>Diese Ursachen herauszunehmen hilft nicht, ungesehene Abschnitte vorherzusagen; deshalb bleibt die Last, wie sie war.</translation>
     </message>
     <message>
@@ -3209,7 +3209,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Eine einfache Anpassung ergibt eine Masse von {:.2f} kg: Die Kräfte haben wohl das andere Vorzeichen.</translation>
     </message>
     <message>
-        <source>Set sensor.wrench_sign in the meta file to the other convention (sensor_on_payload or payload_on_sensor).</source>
+        <source>Set sensor.wrench_sign in the setup file to the other convention (sensor_on_payload or payload_on_sensor).</source>
         <translation>Setzen Sie sensor.wrench_sign in der Meta-Datei auf den anderen Wert (sensor_on_payload oder payload_on_sensor).</translation>
     </message>
     <message>
@@ -3321,7 +3321,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Neigen Sie es in mehrere Richtungen: In Ruhe sehen sein Gewicht und der Nullpunkt des Sensors gleich aus.</translation>
     </message>
     <message>
-        <source>The search for the shape&apos;s material did not settle.</source>
+        <source>Could not find a material density that fits this shape.</source>
         <translation>Die Suche nach dem Material der Form kam zu keinem Ende.</translation>
     </message>
     <message>
@@ -3961,7 +3961,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} bleibt von {:.6g} bis {:.6g} s gleich ({} Zeilen){}.</translation>
     </message>
     <message>
-        <source>, and in {} more stretches</source>
+        <source>, and in {} more segments</source>
         <translation>, und auf {} weiteren Abschnitten</translation>
     </message>
     <message>
@@ -4373,7 +4373,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Das Material „{}“ von Glied „{}“ ist nirgends definiert.</translation>
     </message>
     <message>
-        <source>Free, but the sensor&apos;s bias (or the payload) is another one here.</source>
+        <source>Free, but with a different sensor bias or payload.</source>
         <translation>Frei, aber der Nullpunkt des Sensors (oder die Last) ist hier ein anderer.</translation>
     </message>
     <message>
@@ -4429,7 +4429,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Nicht als Kontakt markiert.</translation>
     </message>
     <message>
-        <source>A push that the motion does not explain.</source>
+        <source>Force not explained by the motion.</source>
         <translation>Ein Stoß, den die Bewegung nicht erklärt.</translation>
     </message>
     <message>
@@ -4437,11 +4437,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>In Ruhe, und ein starres Werkzeug erklärt die Kräfte.</translation>
     </message>
     <message>
-        <source>A rigid tool explains the forces here.</source>
+        <source>Forces match a rigid tool.</source>
         <translation>Ein starres Werkzeug erklärt hier die Kräfte.</translation>
     </message>
     <message>
-        <source>The sensor&apos;s values stand still here: it sent nothing new.</source>
+        <source>Sensor values frozen: no new data.</source>
         <translation>Die Werte des Sensors stehen hier still: Er schickte nichts Neues.</translation>
     </message>
     <message>
@@ -4525,7 +4525,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Einzelne Messwerte werden angesehen</translation>
     </message>
     <message>
-        <source>Measuring the gain on unseen stretches</source>
+        <source>Measuring the gain on held-out segments</source>
         <translation>Der Gewinn auf ungesehenen Abschnitten wird gemessen</translation>
     </message>
     <message>
@@ -4613,7 +4613,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Sensor sitzt an {}, das sich gegen den Flansch bewegt: Geben Sie seine Pose am Flansch an.</translation>
     </message>
     <message>
-        <source>{} holds no sensor mount: expected &quot;sensor&quot;: {{&quot;mount&quot;: {{&quot;xyz_m&quot;: [x,y,z], &quot;rpy_rad&quot;: [r,p,y]}}}} as in a meta file.</source>
+        <source>{} holds no sensor mount: expected &quot;sensor&quot;: {{&quot;mount&quot;: {{&quot;xyz_m&quot;: [x,y,z], &quot;rpy_rad&quot;: [r,p,y]}}}} as in a setup file.</source>
         <translation>{} enthält keine Sensormontage: Erwartet wird &quot;sensor&quot;: {{&quot;mount&quot;: {{&quot;xyz_m&quot;: [x,y,z], &quot;rpy_rad&quot;: [r,p,y]}}}} wie in einer Meta-Datei.</translation>
     </message>
     <message>
@@ -4909,7 +4909,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>die Tabelle enthält mehr Zellen, als in den Speicher passen.</translation>
     </message>
     <message>
-        <source>Export fewer columns or a shorter stretch.</source>
+        <source>Export fewer columns or a shorter segment.</source>
         <translation>Exportieren Sie weniger Spalten oder ein kürzeres Stück.</translation>
     </message>
     <message>
@@ -4917,7 +4917,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>die Datei enthält mehr Zahlen, als in den Speicher passen.</translation>
     </message>
     <message>
-        <source>Record fewer values, or a shorter stretch.</source>
+        <source>Record fewer values, or a shorter segment.</source>
         <translation>Nehmen Sie weniger Werte auf oder ein kürzeres Stück.</translation>
     </message>
     <message>
@@ -5521,7 +5521,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Schreiben Sie über die Zahlen eine Kopfzeile, zum Beispiel time,q1,q2,q3,q4,q5,q6,q7,fx,fy,fz,tx,ty,tz.</translation>
     </message>
     <message>
-        <source>a meta file must be a JSON object {{...}}</source>
+        <source>a setup file must be a JSON object {{...}}</source>
         <translation>eine Meta-Datei muss ein JSON-Objekt {{...}} sein</translation>
     </message>
     <message>
@@ -5913,7 +5913,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Abweichung ist flach, macht eine Stufe und ist wieder flach, wie man das Werkzeug auch hält.</translation>
     </message>
     <message>
-        <source>Let the sensor warm up for half an hour, keep draughts off it, and zero it often.</source>
+        <source>Let the sensor warm up for half an hour, avoid draughts and re-zero often.</source>
         <translation>Den Sensor eine halbe Stunde warmlaufen lassen, vor Zugluft schützen und oft nullen.</translation>
     </message>
     <message>
@@ -5925,7 +5925,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Abweichung steigt oder sinkt langsam über die ganze Aufnahme und kümmert sich nicht um die Bewegung.</translation>
     </message>
     <message>
-        <source>Do force and joint angles get their time from one clock, at the source?</source>
+        <source>Are force and joint data timestamped by the same clock?</source>
         <translation>Bekommen Kraft und Gelenkwinkel ihre Zeit von einer Uhr, gleich an der Quelle?</translation>
     </message>
     <message>
@@ -5961,7 +5961,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Langsames Drehen passt gut; nur Anfahren und Anhalten lassen eine Abweichung.</translation>
     </message>
     <message>
-        <source>Compare the arrows printed on the sensor with the mount in the meta file.</source>
+        <source>Compare the arrows printed on the sensor with the mount in the setup file.</source>
         <translation>Die Pfeile auf dem Sensor mit der Montage in der Meta-Datei vergleichen.</translation>
     </message>
     <message>
@@ -5977,7 +5977,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Robotersockel schief</translation>
     </message>
     <message>
-        <source>Put a spirit level on the robot&apos;s base, or state the true gravity in the meta file.</source>
+        <source>Put a spirit level on the robot&apos;s base, or state the true gravity in the setup file.</source>
         <translation>Eine Wasserwaage auf den Robotersockel legen oder die wahre Schwerkraft in die Meta-Datei schreiben.</translation>
     </message>
     <message>
@@ -6069,7 +6069,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Mit dem Finger an das Werkzeug tippen, während der Arm stillhält.</translation>
     </message>
     <message>
-        <source>Was a part picked up or put down? Mark only the stretch that you mean.</source>
+        <source>Was a part picked up or put down? Mark only the segment that you mean.</source>
         <translation>Wurde ein Teil aufgenommen oder abgelegt? Nur den gemeinten Abschnitt markieren.</translation>
     </message>
     <message>
@@ -6077,7 +6077,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Das Werkzeug nach der Änderung in eine andere Lage drehen: Eine Last dreht sich mit der Schwerkraft, ein Sprung nicht.</translation>
     </message>
     <message>
-        <source>Was the tool set down, bumped, or held by its front?</source>
+        <source>Was the tool set down, bumped or held?</source>
         <translation>Wurde das Werkzeug abgesetzt, angestoßen oder vorn angefasst?</translation>
     </message>
     <message>
@@ -6129,7 +6129,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Langsame Bewegung passt; schnelles Drehen lässt eine Abweichung, die mit dem Quadrat des Tempos wächst.</translation>
     </message>
     <message>
-        <source>Record joint angles at the full rate; check the size of gravity in the meta file.</source>
+        <source>Record joint angles at the full rate; check the size of gravity in the setup file.</source>
         <translation>Gelenkwinkel mit voller Rate aufnehmen; den Betrag der Schwerkraft in der Meta-Datei prüfen.</translation>
     </message>
     <message>
@@ -6157,11 +6157,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Achsen oder Vorzeichen vertauscht</translation>
     </message>
     <message>
-        <source>Compare the sensor&apos;s manual with the meta file: axes, signs, gravity.</source>
+        <source>Compare the sensor&apos;s manual with the setup file: axes, signs, gravity.</source>
         <translation>Das Handbuch des Sensors mit der Meta-Datei vergleichen: Achsen, Vorzeichen, Schwerkraft.</translation>
     </message>
     <message>
-        <source>None is needed: the mistake is too large to be overlooked.</source>
+        <source>Not needed: the error is obvious.</source>
         <translation>Keine ist nötig: Der Fehler ist zu groß, um übersehen zu werden.</translation>
     </message>
     <message>
@@ -6297,11 +6297,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Momentwerte kommen in Stufen von {}.</translation>
     </message>
     <message>
-        <source>Turn gravity_m_s2 round in the meta file.</source>
+        <source>Turn gravity_m_s2 round in the setup file.</source>
         <translation>Kehren Sie gravity_m_s2 in der Meta-Datei um.</translation>
     </message>
     <message>
-        <source>Correct sensor.mount.rpy_rad in the meta file.</source>
+        <source>Correct sensor.mount.rpy_rad in the setup file.</source>
         <translation>Berichtigen Sie sensor.mount.rpy_rad in der Meta-Datei.</translation>
     </message>
     <message>
@@ -6325,7 +6325,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Das Werkzeug wurde nie schnell genug um {} gedreht: Drehen Sie es um diese Achse hin und her, schneller.</translation>
     </message>
     <message>
-        <source>{} is no meta file.</source>
+        <source>{} is no setup file.</source>
         <translation>{} ist keine Meta-Datei.</translation>
     </message>
     <message>
@@ -6425,7 +6425,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Speichern Sie ihn zuerst als UTF-8.</translation>
     </message>
     <message>
-        <source>Give the CSV of the recording; its meta file is found beside it.</source>
+        <source>Give the CSV of the recording; its setup file is found beside it.</source>
         <translation>Öffnen Sie das CSV der Aufnahme; die Meta-Datei daneben wird gefunden.</translation>
     </message>
     <message>
@@ -6453,11 +6453,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Nennen Sie sie time (in Sekunden), oder sagen Sie mit --use time=NAME, welche es ist.</translation>
     </message>
     <message>
-        <source>Set sensor.mount.parent in the meta file to one of: {}.</source>
+        <source>Set sensor.mount.parent in the setup file to one of: {}.</source>
         <translation>Setzen Sie sensor.mount.parent in der Meta-Datei auf eines von: {}.</translation>
     </message>
     <message>
-        <source>For standing poses say &quot;kind&quot;: &quot;poses&quot; in the meta file.</source>
+        <source>For standing poses say &quot;kind&quot;: &quot;poses&quot; in the setup file.</source>
         <translation>Für stehende Posen sagen Sie &quot;kind&quot;: &quot;poses&quot; in der Meta-Datei.</translation>
     </message>
     <message>
@@ -7009,7 +7009,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Geschwindigkeit, unter der es mehr reibt, v</translation>
     </message>
     <message>
-        <source>Grows stiffer as it stretches by h</source>
+        <source>Grows stiffer as it segments by h</source>
         <translation>Wird beim Dehnen steifer um h</translation>
     </message>
     <message>
@@ -7017,7 +7017,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Widerstand entlang {0} des Werkzeugs, d{0}</translation>
     </message>
     <message>
-        <source>A cable or hose, fixed to one spot, pulls the tool back: {} N per metre where it begins to stretch, and more the further it does.</source>
+        <source>A cable or hose, fixed to one spot, pulls the tool back: {} N per metre where it begins to segment, and more the further it does.</source>
         <translation>Ein Kabel oder Schlauch, an einer Stelle befestigt, zieht das Werkzeug zurück: {} N je Meter, wo es sich zu dehnen beginnt, und mehr, je weiter es sich dehnt.</translation>
     </message>
     <message>
@@ -7125,7 +7125,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} ist kein Ergebnis von heft diagnose; schreiben Sie eines mit heft diagnose REC --json DATEI.</translation>
     </message>
     <message>
-        <source>Correct how the sensor is mounted where the recorded poses are worked out: the recording states them itself, and the meta file&apos;s mount is not used.</source>
+        <source>Correct how the sensor is mounted where the recorded poses are worked out: the recording states them itself, and the setup file&apos;s mount is not used.</source>
         <translation>Berichtigen Sie den Einbau des Sensors dort, wo die aufgezeichneten Lagen berechnet werden: Die Aufnahme nennt sie selbst, der Einbau in der Metadatei wird nicht benutzt.</translation>
     </message>
     <message>
@@ -7153,7 +7153,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Messwerten eines anderen Augenblicks</translation>
     </message>
     <message>
-        <source>{} stretches, {:.1f} s in all, were left out: something acts there, too faint to tell a touch from anything else.</source>
+        <source>{} segments, {:.1f} s in all, were left out: something acts there, too faint to tell a touch from anything else.</source>
         <translation>{} Abschnitte, zusammen {:.1f} s, blieben außen vor: Dort wirkt etwas, das zu schwach ist, um eine Berührung von etwas anderem zu unterscheiden.</translation>
     </message>
     <message>
@@ -7185,7 +7185,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Drehmomenten ohne eine Kraft</translation>
     </message>
     <message>
-        <source>A stretch of {:.1f} s was left out: something acts there, too faint to tell a touch from anything else.</source>
+        <source>A segment of {:.1f} s was left out: something acts there, too faint to tell a touch from anything else.</source>
         <translation>Ein Abschnitt von {:.1f} s blieb außen vor: Dort wirkt etwas, das zu schwach ist, um eine Berührung von etwas anderem zu unterscheiden.</translation>
     </message>
     <message>
@@ -7217,7 +7217,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Klopfen Sie an das Werkzeug, dann an das, worauf der Roboter steht: Was davon klingt in dieser Tonhöhe? Ziehen Sie dort die Schrauben nach.</translation>
     </message>
     <message>
-        <source>From {:.1f} to {:.1f} s the zero or the load was another one once more; that stretch was left out.</source>
+        <source>From {:.1f} to {:.1f} s the zero or the load was another one once more; that segment was left out.</source>
         <translation>Von {:.1f} bis {:.1f} s war der Nullpunkt oder die Last noch einmal anders; dieser Abschnitt blieb außen vor.</translation>
     </message>
     <message>
@@ -7225,7 +7225,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} steht von {:.1f} bis {:.1f} s still, während die anderen weitergehen.</translation>
     </message>
     <message>
-        <source>Check that channel&apos;s cable and plug; mark the stretch as &quot;ignore&quot;.</source>
+        <source>Check that channel&apos;s cable and plug; mark the segment as &quot;ignore&quot;.</source>
         <translation>Prüfen Sie Kabel und Stecker dieses Kanals; markieren Sie den Abschnitt als „ignoriert“.</translation>
     </message>
     <message>
@@ -7301,7 +7301,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Es zieht genau nach oben: Zieht der Roboter oder der Treiber des Sensors das Gewicht eines Werkzeugs schon ab? Wenn nicht: Trägt ein Balancer oder ein Schlauch einen Teil davon?</translation>
     </message>
     <message>
-        <source>If so, write {} into the meta file.</source>
+        <source>If so, write {} into the setup file.</source>
         <translation>Wenn ja, schreiben Sie {} in die Meta-Datei.</translation>
     </message>
     <message>
@@ -7345,7 +7345,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>die Spalte „{}“ hat eine andere Einheit als die angegebene, {}.</translation>
     </message>
     <message>
-        <source>Convert it to {} and name it {}, or state the unit of all such columns in the meta file.</source>
+        <source>Convert it to {} and name it {}, or state the unit of all such columns in the setup file.</source>
         <translation>Rechnen Sie sie in {} um und nennen Sie sie {}, oder geben Sie die Einheit aller solchen Spalten in der Meta-Datei an.</translation>
     </message>
     <message>
@@ -7617,11 +7617,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Beseitigen Sie den Zug und nehmen Sie die Posen noch einmal auf.</translation>
     </message>
     <message>
-        <source>Estimate with --conventions suggested, or write {} into the meta file.</source>
+        <source>Estimate with --conventions suggested, or write {} into the setup file.</source>
         <translation>Schätzen Sie mit --conventions suggested, oder schreiben Sie {} in die Meta-Datei.</translation>
     </message>
     <message>
-        <source>To keep that, write {} into the meta file.</source>
+        <source>To keep that, write {} into the setup file.</source>
         <translation>Um dabei zu bleiben, schreiben Sie {} in die Meta-Datei.</translation>
     </message>
     <message>
@@ -7909,7 +7909,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} um {:.2g} N m (der Sensor selbst streut um {:.2g} N m)</translation>
     </message>
     <message>
-        <source>On stretches that were not used for fitting, the model misses {}: something besides a rigid tool is at work (contact, drift, delay, a cable, a poorly calibrated sensor).</source>
+        <source>On segments that were not used for fitting, the model misses {}: something besides a rigid tool is at work (contact, drift, delay, a cable, a poorly calibrated sensor).</source>
         <translation>Auf Strecken, die nicht zur Anpassung dienten, verfehlt das Modell {}: Etwas anderes als ein starres Werkzeug wirkt mit (Berührung, Drift, Verzögerung, ein Kabel, ein schlecht kalibrierter Sensor).</translation>
     </message>
     <message>
@@ -7945,7 +7945,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{:.2f} bis {:.2f} s</translation>
     </message>
     <message>
-        <source>{} and {} more stretches, {:.2g} s in all</source>
+        <source>{} and {} more segments, {:.2g} s in all</source>
         <translation>{} und {} weitere Strecken, zusammen {:.2g} s</translation>
     </message>
     <message>
@@ -7989,7 +7989,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Hat die Datei keine Uhr, nennen Sie ihre Rate mit --rate HZ.</translation>
     </message>
     <message>
-        <source>Name it with --robot, or in the meta file: &quot;robot&quot;: &quot;panda&quot; or the path of a URDF.</source>
+        <source>Name it with --robot, or in the setup file: &quot;robot&quot;: &quot;panda&quot; or the path of a URDF.</source>
         <translation>Nennen Sie ihn mit --robot oder in der Metadatei: &quot;robot&quot;: &quot;panda&quot; oder den Pfad einer URDF-Datei.</translation>
     </message>
     <message>
@@ -8053,7 +8053,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>URs actual_TCP_force steht in den Achsen der Roboterbasis, gilt um den TCP und enthält die Last nicht, die in der Steuerung eingestellt ist; so wurde sie gelesen.</translation>
     </message>
     <message>
-        <source>State sensor.wrench_point in the meta file if the TCP is not at the sensor, or record ft_raw_wrench.</source>
+        <source>State sensor.wrench_point in the setup file if the TCP is not at the sensor, or record ft_raw_wrench.</source>
         <translation>Geben Sie sensor.wrench_point in der Metadatei an, wenn der TCP nicht am Sensor liegt, oder zeichnen Sie ft_raw_wrench auf.</translation>
     </message>
     <message>
@@ -8241,7 +8241,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Nirgends steht, wo der Sensor sitzt; angenommen wird der Ursprung des Robotergliedes „{}“.</translation>
     </message>
     <message>
-        <source>State sensor.mount in the meta file.</source>
+        <source>State sensor.mount in the setup file.</source>
         <translation>Geben Sie sensor.mount in der Metadatei an.</translation>
     </message>
     <message>
@@ -8437,7 +8437,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Etwa {} g im Werkzeug sind lose und schwingen {}-mal pro Sekunde.</translation>
     </message>
     <message>
-        <source>The sensor&apos;s origin is {} mm from where the meta file puts it.</source>
+        <source>The sensor&apos;s origin is {} mm from where the setup file puts it.</source>
         <translation>Der Ursprung des Sensors sitzt {} mm neben der Stelle aus der Meta-Datei.</translation>
     </message>
     <message>
@@ -8457,11 +8457,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Nahe dem Ende seines Messbereichs zeigt der Kanal {} {} % weniger, als da ist.</translation>
     </message>
     <message>
-        <source>The payload is given in the sensor frame that the meta file states.</source>
+        <source>The payload is given in the sensor frame that the setup file states.</source>
         <translation>Die Nutzlast gilt für Ort und Achsen des Sensors, wie die Meta-Datei sie angibt.</translation>
     </message>
     <message>
-        <source>If you use the corrected meta file, estimate again with it.</source>
+        <source>If you use the corrected setup file, estimate again with it.</source>
         <translation>Wird die korrigierte Meta-Datei verwendet, mit ihr noch einmal schätzen.</translation>
     </message>
     <message>
@@ -9273,7 +9273,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Geben Sie wrench_point in der Metadatei an oder nehmen Sie eine Bewegung mit flotten Drehungen auf.</translation>
     </message>
     <message>
-        <source>Measure from the flange to the sensor&apos;s origin and compare with the meta file. If that is right, the torque is about another point: state wrench_point.</source>
+        <source>Measure from the flange to the sensor&apos;s origin and compare with the setup file. If that is right, the torque is about another point: state wrench_point.</source>
         <translation>Messen Sie vom Flansch zum Ursprung des Sensors und vergleichen Sie mit der Metadatei. Stimmt das Maß, bezieht sich das Drehmoment auf einen anderen Punkt: Geben Sie wrench_point an.</translation>
     </message>
     <message>
@@ -9587,7 +9587,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Frequenz [Hz]</translation>
     </message>
     <message>
-        <source>No stretch is long enough to tell frequencies.</source>
+        <source>No segment is long enough to tell frequencies.</source>
         <translation>Kein Abschnitt ist lang genug, um Frequenzen zu zeigen.</translation>
     </message>
     <message>
@@ -9603,7 +9603,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Nichts zum Vergleichen.</translation>
     </message>
     <message>
-        <source>Grey: the level of the sensor’s fast noise. Slow noise may lie a few times higher; what rises far above is none.</source>
+        <source>Grey: the level of the sensor’s fast noise. Low-frequency noise can be several times higher; peaks far above the band are not noise.</source>
         <translation>Grau: die Höhe des schnellen Sensorrauschens. Langsames Rauschen kann einige Male höher liegen; was weit darüber ragt, ist keines.</translation>
     </message>
     <message>
@@ -9757,7 +9757,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Länge</translation>
     </message>
     <message>
-        <source>A length in mm, or with its unit: 64, 6.4 cm. Enter takes it, Esc leaves it as it was.</source>
+        <source>A length in mm, or with its unit: 64, 6.4 cm. Enter applies, Esc cancels.</source>
         <translation>Eine Länge in mm oder mit ihrer Einheit: 64, 6,4 cm. Die Eingabetaste übernimmt sie, Esc lässt sie, wie sie war.</translation>
     </message>
 </context>
@@ -9980,7 +9980,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Eine Zusatzlast</translation>
     </message>
     <message>
-        <source>Never state it as both: the controller would count the weight twice.</source>
+        <source>Don’t enter it as both, or its weight is counted twice.</source>
         <translation>Nie als beides angeben: Die Steuerung würde das Gewicht doppelt zählen.</translation>
     </message>
     <message>
@@ -9996,7 +9996,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Vor dem Speichern</translation>
     </message>
     <message>
-        <source>The sensor itself weighs something, too: tick it above unless the controller knows it already, or tick “Nothing else”.</source>
+        <source>Don’t forget the sensor’s own weight: tick it above unless the controller already includes it, or tick “Nothing else”.</source>
         <translation>Der Sensor selbst wiegt auch etwas: Haken Sie ihn oben an, wenn die Steuerung ihn noch nicht kennt, oder wählen Sie „Nichts weiter“.</translation>
     </message>
     <message>
@@ -10028,7 +10028,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Es gibt noch keine Payload-Datei zu speichern.</translation>
     </message>
     <message>
-        <source>%1 exists already and was not replaced.</source>
+        <source>%1 already exists and was not overwritten.</source>
         <translation>%1 gibt es schon und wurde nicht ersetzt.</translation>
     </message>
     <message>
@@ -10056,11 +10056,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Sensor selbst wiegt auch etwas: Fügen Sie ihn unter „Etwas anderes …“ hinzu, wenn die Steuerung ihn noch nicht kennt, oder wählen Sie „Nichts weiter“.</translation>
     </message>
     <message>
-        <source>Say above whether this is the robot’s own tool or something it picked up; then it can be saved.</source>
+        <source>Answer the question above before saving.</source>
         <translation>Sagen Sie oben, ob das das eigene Werkzeug des Roboters ist oder etwas, das er aufgenommen hat; dann lässt es sich speichern.</translation>
     </message>
     <message>
-        <source>one answer is missing</source>
+        <source>one question left</source>
         <translation>eine Antwort fehlt</translation>
     </message>
     <message>
@@ -10068,7 +10068,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Diesem Ergebnis ist nicht zu trauen, daher wird keine Datei geschrieben.</translation>
     </message>
     <message>
-        <source>Look for what is wrong</source>
+        <source>Run reality check</source>
         <translation>Nachsehen, was nicht stimmt</translation>
     </message>
     <message>
@@ -10167,7 +10167,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>gespeichert</translation>
     </message>
     <message>
-        <source>not written yet</source>
+        <source>not saved</source>
         <translation>noch nicht geschrieben</translation>
     </message>
     <message>
@@ -10407,7 +10407,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Beginnt neu; Masse, Schwerpunkt und Trägheit aus freier Bewegung</translation>
     </message>
     <message>
-        <source>Starts again; mass and centre of mass only, from poses held still</source>
+        <source>Starts a new recording (mass and centre of mass only)</source>
         <translation>Beginnt neu; nur Masse und Schwerpunkt, aus still gehaltenen Haltungen</translation>
     </message>
     <message>
@@ -10447,15 +10447,15 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Haltungen</translation>
     </message>
     <message>
-        <source>Take the last pose away</source>
+        <source>Remove last pose</source>
         <translation>Letzte Haltung wegnehmen</translation>
     </message>
     <message>
-        <source>Move by itself</source>
+        <source>Move automatically</source>
         <translation>Von selbst bewegen</translation>
     </message>
     <message>
-        <source>The virtual arm wanders about, as if somebody guided it</source>
+        <source>The virtual arm moves around as if guided by hand</source>
         <translation>Der virtuelle Arm wandert umher, als führte ihn jemand</translation>
     </message>
     <message>
@@ -10463,7 +10463,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Werkzeug wechseln</translation>
     </message>
     <message>
-        <source>Another hidden tool is screwed on; Heft has to notice</source>
+        <source>Swaps the hidden tool; Heft should notice</source>
         <translation>Ein anderes verborgenes Werkzeug wird angeschraubt; Heft muss es merken</translation>
     </message>
     <message>
@@ -10475,7 +10475,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>%1 Hz, %2</translation>
     </message>
     <message numerus="yes">
-        <source>%n part(s) without a partner</source>
+        <source>%n unmatched sample(s)</source>
         <translation>
             <numerusform>%n Teil ohne Gegenstück</numerusform>
             <numerusform>%n Teile ohne Gegenstück</numerusform>
@@ -10498,7 +10498,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Danach: Masse ± %1 g, Schwerpunkt ± %2 mm.</translation>
     </message>
     <message>
-        <source>One still second is enough.</source>
+        <source>One second is enough.</source>
         <translation>Eine ruhige Sekunde genügt.</translation>
     </message>
     <message>
@@ -10518,7 +10518,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Neigen Sie das Werkzeug um alle Achsen, dann drehen Sie es schneller</translation>
     </message>
     <message>
-        <source>From here no motion keeps all the joints&apos; limits.</source>
+        <source>No motion is possible from here within the joint limits.</source>
         <translation>Von hier aus hält keine Bewegung alle Gelenkgrenzen ein.</translation>
     </message>
     <message>
@@ -10526,11 +10526,11 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>noch etwa %1 s</translation>
     </message>
     <message>
-        <source>Something touches the tool now. This stretch is left out.</source>
+        <source>Something touches the tool now. This segment is left out.</source>
         <translation>Gerade berührt etwas das Werkzeug. Dieser Abschnitt wird ausgelassen.</translation>
     </message>
     <message numerus="yes">
-        <source>%n stretch(es) look touched. You can check them in Mark.</source>
+        <source>%n segment(es) look touched. You can check them in Mark.</source>
         <translation>
             <numerusform>%n Abschnitt sieht berührt aus. Prüfen Sie ihn unter Markieren.</numerusform>
             <numerusform>%n Abschnitte sehen berührt aus. Prüfen Sie sie unter Markieren.</numerusform>
@@ -10577,19 +10577,19 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>KEINE DATEN</translation>
     </message>
     <message>
-        <source>The connection is lost. Heft tries again by itself.</source>
+        <source>Connection lost. Reconnecting automatically…</source>
         <translation>Die Verbindung ist unterbrochen. Heft versucht es von selbst weiter.</translation>
     </message>
     <message>
-        <source>Nothing answers yet. Heft goes on trying.</source>
+        <source>No response yet. Still trying…</source>
         <translation>Noch antwortet nichts. Heft versucht es weiter.</translation>
     </message>
     <message>
-        <source>What came so far is kept. Look at cable, network and the program at the other end.</source>
+        <source>Data received so far is kept. Check the cable, the network and the sending program.</source>
         <translation>Was bisher kam, bleibt erhalten. Sehen Sie nach Kabel, Netzwerk und dem Programm am anderen Ende.</translation>
     </message>
     <message>
-        <source>Is it switched on, and is its address right?</source>
+        <source>Check that it is switched on and the address is correct.</source>
         <translation>Ist es eingeschaltet, und stimmt die Adresse?</translation>
     </message>
     <message>
@@ -10724,7 +10724,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::MarkPanel</name>
     <message>
-        <source>after recording</source>
+        <source>needs a recording</source>
         <translation>nach der Aufnahme</translation>
     </message>
     <message>
@@ -10743,7 +10743,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>%1 s frei</translation>
     </message>
     <message>
-        <source>When did the tool touch nothing?</source>
+        <source>When was the tool free (not touching anything)?</source>
         <translation>Wann hat das Werkzeug nichts berührt?</translation>
     </message>
     <message>
@@ -10795,7 +10795,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>ignorieren</translation>
     </message>
     <message>
-        <source>Show this stretch</source>
+        <source>Show this segment</source>
         <translation>Diesen Abschnitt zeigen</translation>
     </message>
     <message>
@@ -10815,11 +10815,11 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Ja, ignorieren</translation>
     </message>
     <message>
-        <source>No, it was free</source>
+        <source>No, free motion</source>
         <translation>Nein, es war frei</translation>
     </message>
     <message>
-        <source>All stretches</source>
+        <source>All segments</source>
         <translation>Alle Abschnitte</translation>
     </message>
     <message>
@@ -10855,7 +10855,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Als %1 malen</translation>
     </message>
     <message>
-        <source>Left to use</source>
+        <source>Usable data</source>
         <translation>Bleibt zu benutzen</translation>
     </message>
     <message>
@@ -10875,7 +10875,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Vorschläge übernehmen</translation>
     </message>
     <message>
-        <source>&amp;Mark the stretch shown</source>
+        <source>&amp;Mark the segment shown</source>
         <translation>Gezeigten Abschnitt &amp;markieren</translation>
     </message>
     <message>
@@ -10903,7 +10903,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>mark braucht eine offene Aufnahme.</translation>
     </message>
     <message>
-        <source>Drag an edge to move it · Ctrl+Z undoes</source>
+        <source>Drag an edge to adjust it · Ctrl+Z to undo</source>
         <translation>Eine Kante lässt sich verschieben · Strg+Z macht rückgängig</translation>
     </message>
     <message>
@@ -10954,7 +10954,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Marken</translation>
     </message>
     <message>
-        <source>Which stretches of the recording touched nothing</source>
+        <source>Which segments of the recording touched nothing</source>
         <translation>Welche Abschnitte der Aufnahme nichts berührt haben</translation>
     </message>
     <message>
@@ -10966,7 +10966,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Stellung %1</translation>
     </message>
     <message>
-        <source>Zoom to this stretch</source>
+        <source>Zoom to this segment</source>
         <translation>Diesen Abschnitt vergrößern</translation>
     </message>
     <message>
@@ -11049,11 +11049,11 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Als dünne Schale von 2 mm nehmen</translation>
     </message>
     <message>
-        <source>Put it on the sensor’s face</source>
+        <source>Snap to sensor face</source>
         <translation>Auf die Sensorfläche setzen</translation>
     </message>
     <message>
-        <source>Its box then begins at the sensor, in the middle. Without it, the file’s own origin is the sensor’s.</source>
+        <source>Centres its bounding box on the sensor face. Otherwise the file origin is placed at the sensor origin.</source>
         <translation>Sein Kasten beginnt dann mittig am Sensor. Sonst liegt der Ursprung der Datei im Sensor.</translation>
     </message>
 </context>
@@ -11079,7 +11079,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Zurück zu den Kurven</translation>
     </message>
     <message>
-        <source>Every method weighs the tool in turn …</source>
+        <source>Running all methods…</source>
         <translation>Jedes Verfahren wiegt das Werkzeug der Reihe nach …</translation>
     </message>
 </context>
@@ -11114,7 +11114,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Etwas anderes …</translation>
     </message>
     <message>
-        <source>Together on the flange</source>
+        <source>Total on the flange</source>
         <translation>Zusammen am Flansch</translation>
     </message>
     <message>
@@ -11154,7 +11154,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation> mm</translation>
     </message>
     <message>
-        <source>Its inertia is taken as that of a compact aluminium body of this weight.</source>
+        <source>Inertia is approximated by a compact aluminium body.</source>
         <translation>Seine Trägheit wird wie die eines kompakten Aluminiumkörpers dieses Gewichts angenommen.</translation>
     </message>
     <message>
@@ -11180,7 +11180,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::PartsList</name>
     <message>
-        <source>Take part %1 away</source>
+        <source>Remove part %1</source>
         <translation>Teil %1 wegnehmen</translation>
     </message>
     <message>
@@ -11246,7 +11246,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::PlaceForm</name>
     <message>
-        <source>Middle of its near end, from the sensor’s face</source>
+        <source>Centre of the near face, relative to the sensor face</source>
         <translation>Mitte des nahen Endes, von der Sensorfläche aus</translation>
     </message>
     <message>
@@ -11526,7 +11526,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::RealityPanel</name>
     <message>
-        <source>after recording</source>
+        <source>needs a recording</source>
         <translation>nach der Aufnahme</translation>
     </message>
     <message>
@@ -11545,11 +11545,11 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         </translation>
     </message>
     <message>
-        <source>not looked yet</source>
+        <source>not run yet</source>
         <translation>noch nicht gesucht</translation>
     </message>
     <message>
-        <source>look again</source>
+        <source>out of date, run again</source>
         <translation>noch einmal suchen</translation>
     </message>
     <message numerus="yes">
@@ -11560,7 +11560,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         </translation>
     </message>
     <message>
-        <source>something unknown</source>
+        <source>unexplained error</source>
         <translation>etwas Unbekanntes</translation>
     </message>
     <message>
@@ -11600,23 +11600,23 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Prüfen an %1</translation>
     </message>
     <message>
-        <source>There is no reality check yet that could correct a meta file.</source>
+        <source>There is no reality check yet that could correct a setup file.</source>
         <translation>Es gibt noch keine Realitätsprüfung, die eine Meta-Datei berichtigen könnte.</translation>
     </message>
     <message>
-        <source>The reality check proposes no change of the meta file.</source>
+        <source>The reality check proposes no change of the setup file.</source>
         <translation>Die Realitätsprüfung schlägt keine Änderung der Meta-Datei vor.</translation>
     </message>
     <message>
-        <source>%1 exists already and was not replaced.</source>
+        <source>%1 already exists and was not overwritten.</source>
         <translation>%1 gibt es schon und wurde nicht ersetzt.</translation>
     </message>
     <message>
-        <source>Save the corrected meta file</source>
+        <source>Save the corrected setup file</source>
         <translation>Die berichtigte Meta-Datei speichern</translation>
     </message>
     <message>
-        <source>Meta files (*.meta.json)</source>
+        <source>Setup files (*.meta.json)</source>
         <translation>Meta-Dateien (*.meta.json)</translation>
     </message>
     <message>
@@ -11687,7 +11687,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Heft sucht, was das Modell eines starren Werkzeugs nicht erklären kann.</translation>
     </message>
     <message>
-        <source>Look for causes</source>
+        <source>Run reality check</source>
         <translation>Ursachen suchen</translation>
     </message>
     <message>
@@ -11695,7 +11695,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Die Marken haben sich seit der Suche geändert.</translation>
     </message>
     <message>
-        <source>Look again</source>
+        <source>Run again</source>
         <translation>Noch einmal suchen</translation>
     </message>
     <message>
@@ -11908,11 +11908,11 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Was wiegt Ihr Werkzeug?</translation>
     </message>
     <message>
-        <source>Open a recording of the arm moving with its tool. Heft finds mass, centre of mass and inertia, and tells how sure each number is.</source>
+        <source>Open a recording of the arm moving with its tool. Heft estimates mass, centre of mass and inertia, and how certain each value is.</source>
         <translation>Öffnen Sie eine Aufnahme, in der sich der Arm mit seinem Werkzeug bewegt. Heft findet Masse, Schwerpunkt und Trägheit und sagt, wie sicher jeder Wert ist.</translation>
     </message>
     <message>
-        <source>What a recording holds</source>
+        <source>What a recording contains</source>
         <translation>Was eine Aufnahme enthält</translation>
     </message>
     <message>
@@ -11936,7 +11936,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>%1 öffnen</translation>
     </message>
     <message>
-        <source>Time, joint angles or sensor poses, and force and torque: a CSV, a ROS bag, MCAP or HDF5. A file NAME.meta.json beside it may name the robot and how the sensor is mounted.</source>
+        <source>Time, joint angles or sensor poses, and force and torque: a CSV, a ROS bag, MCAP or HDF5. A file NAME.meta.json in the same folder can specify the robot and the sensor mounting.</source>
         <translation>Zeit, Gelenkwinkel oder Sensorposen, Kraft und Moment: als CSV, ROS-Bag, MCAP oder HDF5. Eine Datei NAME.meta.json daneben kann den Roboter nennen und wie der Sensor angebaut ist.</translation>
     </message>
     <message>
@@ -11967,7 +11967,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Ihrem Roboter zuhören</translation>
     </message>
     <message>
-        <source>Heft only listens: it moves nothing and changes nothing.</source>
+        <source>Heft only listens. It never moves the robot or changes settings.</source>
         <translation>Heft hört nur zu: Es bewegt nichts und ändert nichts.</translation>
     </message>
     <message>
@@ -11979,7 +11979,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Ohne Roboter ausprobieren</translation>
     </message>
     <message>
-        <source>The virtual arm follows your mouse as a hand-guided one follows your hand. Find out what its hidden tool weighs.</source>
+        <source>Drag the virtual arm with the mouse as if guiding it by hand, and find out what its hidden tool weighs.</source>
         <translation>Der virtuelle Arm folgt Ihrer Maus wie ein handgeführter Ihrer Hand. Finden Sie heraus, was sein verborgenes Werkzeug wiegt.</translation>
     </message>
     <message>
@@ -12035,11 +12035,11 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Ziehen Sie an einem der drei Ringe: Das Werkzeug dreht sich.</translation>
     </message>
     <message>
-        <source>Or use the arrow keys and Page Up, Page Down; with Shift they turn.</source>
+        <source>Or use the arrow keys and Page Up/Down; hold Shift to rotate.</source>
         <translation>Oder benutzen Sie die Pfeiltasten, Bild auf und Bild ab; mit Umschalt drehen sie.</translation>
     </message>
     <message>
-        <source>The coach says what helps most. Let it be shown to you if you like.</source>
+        <source>The coach suggests the most useful motion. Click &quot;Show me&quot; to see it.</source>
         <translation>Der Trainer sagt, was am meisten hilft. Lassen Sie es sich vormachen, wenn Sie mögen.</translation>
     </message>
     <message>
@@ -12051,19 +12051,19 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Führen beginnen</translation>
     </message>
     <message>
-        <source>Hold the tool still, in several tilts</source>
+        <source>Hold the tool still in several orientations</source>
         <translation>Halten Sie das Werkzeug still, in mehreren Neigungen</translation>
     </message>
     <message>
-        <source>Heft takes a pose by itself after one still second. Touch nothing with the tool.</source>
+        <source>Heft captures a pose automatically after one second without motion. Touch nothing with the tool.</source>
         <translation>Heft nimmt eine Haltung nach einer ruhigen Sekunde von selbst auf. Berühren Sie mit dem Werkzeug nichts.</translation>
     </message>
     <message>
-        <source>Move the arm. Heft listens.</source>
+        <source>Move the arm – Heft is recording</source>
         <translation>Bewegen Sie den Arm. Heft hört zu.</translation>
     </message>
     <message>
-        <source>Guide it as you always do. Touch nothing with the tool.</source>
+        <source>Guide it as usual. Don’t let the tool touch anything.</source>
         <translation>Führen Sie ihn wie immer. Berühren Sie mit dem Werkzeug nichts.</translation>
     </message>
     <message>
@@ -12075,7 +12075,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Stop and keep</source>
+        <source>Stop and save</source>
         <translation>Beenden und behalten</translation>
     </message>
     <message>
@@ -12253,7 +12253,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>In dieser Sitzung</translation>
     </message>
     <message>
-        <source>%1, not read</source>
+        <source>%1 (could not be read)</source>
         <translation>%1, nicht gelesen</translation>
     </message>
     <message>
@@ -12328,7 +12328,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>simuliert</translation>
     </message>
     <message>
-        <source>difference, grey = noise</source>
+        <source>residual (grey: noise)</source>
         <translation>Differenz, grau = Rauschen</translation>
     </message>
     <message>
@@ -12336,7 +12336,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Malen</translation>
     </message>
     <message>
-        <source>Drag over the plots to mark a stretch, instead of zooming</source>
+        <source>Drag in the plots to label a range instead of zooming</source>
         <translation>Ziehen über die Kurven markiert einen Abschnitt, statt zu vergrößern</translation>
     </message>
     <message>
@@ -12356,11 +12356,11 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Kraft und Moment zeigen</translation>
     </message>
     <message>
-        <source>Measure between two cursors (Ctrl+click puts the second one)</source>
+        <source>Measure between two cursors (Ctrl+click sets the second)</source>
         <translation>Zwischen zwei Linien messen (Strg+Klick setzt die zweite)</translation>
     </message>
     <message>
-        <source>Save the visible stretch as CSV</source>
+        <source>Export visible range as CSV</source>
         <translation>Sichtbaren Abschnitt als CSV speichern</translation>
     </message>
     <message>
@@ -12388,7 +12388,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Keine</translation>
     </message>
     <message>
-        <source>Picture of the plots, table of the visible stretch</source>
+        <source>Picture of the plots, table of the visible segment</source>
         <translation>Bild der Kurven, Tabelle des sichtbaren Abschnitts</translation>
     </message>
     <message>
@@ -12399,7 +12399,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::ResultPanel</name>
     <message>
-        <source>measured, check first</source>
+        <source>measured – see warnings</source>
         <translation>gemessen, erst prüfen</translation>
     </message>
     <message>
@@ -12427,7 +12427,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Schätzen</translation>
     </message>
     <message>
-        <source>One more note under Details.</source>
+        <source>1 more note in Details.</source>
         <translation>Noch ein Hinweis unter Details.</translation>
     </message>
     <message>
@@ -12475,7 +12475,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Was es besser machen würde</translation>
     </message>
     <message>
-        <source>Record it</source>
+        <source>Record this motion</source>
         <translation>Aufnehmen</translation>
     </message>
     <message>
@@ -12503,7 +12503,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Was zu tun ist</translation>
     </message>
     <message>
-        <source>Look for what is wrong</source>
+        <source>Run reality check</source>
         <translation>Nachsehen, was nicht stimmt</translation>
     </message>
     <message>
@@ -12530,7 +12530,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::ResultStep</name>
     <message>
-        <source>after recording</source>
+        <source>needs a recording</source>
         <translation>nach der Aufnahme</translation>
     </message>
     <message>
@@ -12860,11 +12860,11 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Schwerkraft</translation>
     </message>
     <message>
-        <source>This recording has no robot: the sensor is shown alone</source>
+        <source>No robot in this recording: only the sensor is shown</source>
         <translation>Diese Aufnahme hat keinen Roboter: Nur der Sensor wird gezeigt</translation>
     </message>
     <message>
-        <source>This recording has no position: the sensor turns in place</source>
+        <source>No position in this recording: the sensor only rotates</source>
         <translation>Diese Aufnahme hat keine Position: Der Sensor dreht sich auf der Stelle</translation>
     </message>
     <message>
@@ -12911,7 +12911,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>estimate braucht eine offene Aufnahme.</translation>
     </message>
     <message>
-        <source>%1 exists already and was not replaced.</source>
+        <source>%1 already exists and was not overwritten.</source>
         <translation>%1 gibt es schon und wurde nicht ersetzt.</translation>
     </message>
     <message>
@@ -12974,11 +12974,11 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Wie sieht Ihr Werkzeug aus?</translation>
     </message>
     <message>
-        <source>Pick the closest picture. It need not be perfect.</source>
+        <source>Choose the closest shape. It doesn’t have to be exact.</source>
         <translation>Wählen Sie das ähnlichste Bild. Es muss nicht genau stimmen.</translation>
     </message>
     <message>
-        <source>A shape tells Heft how the weight is spread where the motion did not show it. The result says how much each number owes to it.</source>
+        <source>The shape fills in the mass distribution where the motion doesn’t determine it. The result shows how much each value depends on it.</source>
         <translation>Eine Form sagt Heft, wie das Gewicht verteilt ist, wo die Bewegung es nicht gezeigt hat. Das Ergebnis sagt, wie viel jede Zahl ihr verdankt.</translation>
     </message>
     <message>
@@ -13002,7 +13002,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Weiß ich nicht</translation>
     </message>
     <message>
-        <source>Heft uses the motion alone</source>
+        <source>Use the motion only</source>
         <translation>nur die Bewegung zählt</translation>
     </message>
     <message>
@@ -13102,7 +13102,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Werkzeug neigen</translation>
     </message>
     <message>
-        <source>Where it sits: in the sensor’s middle, straight</source>
+        <source>Position: centred on the sensor, not tilted</source>
         <translation>Wo es sitzt: mitten auf dem Sensor, gerade</translation>
     </message>
     <message>
@@ -13114,7 +13114,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>, geneigt um %1°</translation>
     </message>
     <message>
-        <source>Pick a picture, and the tool stands here</source>
+        <source>Choose a shape to place it here</source>
         <translation>Wählen Sie ein Bild, dann steht das Werkzeug hier</translation>
     </message>
     <message>
@@ -13122,7 +13122,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Ziehen Sie an einem weißen Griff, um die Größe zu ändern</translation>
     </message>
     <message>
-        <source>Drag an arrow to move the tool, its middle to move it freely</source>
+        <source>Drag an arrow to move along an axis, the centre to move freely</source>
         <translation>Ziehen Sie an einem Pfeil, um das Werkzeug zu verschieben, an der Mitte, um es frei zu verschieben</translation>
     </message>
     <message>
@@ -13138,7 +13138,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Neigung</translation>
     </message>
     <message>
-        <source>Lengths in mm, measured from the sensor’s tool side · Ctrl+Z undoes</source>
+        <source>Lengths in mm from the sensor’s tool side · Ctrl+Z to undo</source>
         <translation>Längen in mm, von der Werkzeugseite des Sensors aus · Strg+Z nimmt zurück</translation>
     </message>
     <message>
@@ -13185,7 +13185,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::SourceForm</name>
     <message>
-        <source>Who measures force and torque?</source>
+        <source>Where does the force/torque data come from?</source>
         <translation>Wer misst Kraft und Drehmoment?</translation>
     </message>
     <message>
@@ -13233,7 +13233,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Wie die seiner Webseite. Heft fragt nach seinen Daten und ändert nichts an ihm.</translation>
     </message>
     <message>
-        <source>Address of the Foxglove bridge; empty: localhost:8765</source>
+        <source>Foxglove bridge address (default: localhost:8765)</source>
         <translation>Adresse der Foxglove-Brücke; leer: localhost:8765</translation>
     </message>
     <message>
@@ -13249,7 +13249,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Rechner und Port von rosbridge_server</translation>
     </message>
     <message>
-        <source>Port that your program sends to; empty: 9870</source>
+        <source>UDP port (default: 9870)</source>
         <translation>Port, an den Ihr Programm sendet; leer: 9870</translation>
     </message>
     <message>
@@ -13265,7 +13265,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Aufzeichnung wählen</translation>
     </message>
     <message>
-        <source>Who tells how the arm stands?</source>
+        <source>Where do the joint angles come from?</source>
         <translation>Wer sagt, wie der Arm steht?</translation>
     </message>
     <message>
@@ -13281,7 +13281,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>JSON, UDP</translation>
     </message>
     <message>
-        <source>Rig file (NAME.meta.json), if you have one</source>
+        <source>Setup file (NAME.meta.json), optional</source>
         <translation>Aufbaudatei (NAME.meta.json), falls vorhanden</translation>
     </message>
     <message>
@@ -13369,7 +13369,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Sagen Sie, wo der Messpunkt des Sensors ist, oder wählen Sie eine Aufbaudatei.</translation>
     </message>
     <message>
-        <source>Datagrams with a JSON object each: time [s], q1 … q7 [rad], fx fy fz [N], tx ty tz [N m]. Only from this computer.</source>
+        <source>One JSON object per datagram: time [s], q1 … q7 [rad], fx fy fz [N], tx ty tz [N m]. Only from this computer.</source>
         <translation>Datagramme mit je einem JSON-Objekt: time [s], q1 … q7 [rad], fx fy fz [N], tx ty tz [N m]. Nur von diesem Rechner.</translation>
     </message>
 </context>
@@ -13524,7 +13524,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Flansch</translation>
     </message>
     <message>
-        <source>Add to the wrench’s times</source>
+        <source>Wrench time offset</source>
         <translation>Zur Zeit der Kräfte dazu</translation>
     </message>
     <message>
@@ -13540,7 +13540,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation> s</translation>
     </message>
     <message>
-        <source>Add a file recorded with it …</source>
+        <source>Add another file…</source>
         <translation>Eine Datei dazunehmen …</translation>
     </message>
     <message>
@@ -13548,7 +13548,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Zum Beispiel die Aufzeichnung des Sensors neben der des Roboters</translation>
     </message>
     <message>
-        <source>Choose each column by itself</source>
+        <source>Choose columns individually</source>
         <translation>Jede Spalte einzeln wählen</translation>
     </message>
     <message>
@@ -13742,7 +13742,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Alles beginnt mit einer Aufnahme: Der Arm bewegte sich mit seinem Werkzeug, der Sensor maß. In diesem Beispiel zieht ein Schlauch am Werkzeug, und niemand hat es Heft gesagt. Die Leertaste lässt den Arm laufen.</translation>
     </message>
     <message>
-        <source>Only stretches in which the tool touched nothing tell its weight. Heft has sorted them; everything is free here. In your own recordings you can paint over what Heft took wrongly.</source>
+        <source>Only segments in which the tool touched nothing tell its weight. Heft has sorted them; everything is free here. In your own recordings you can paint over what Heft took wrongly.</source>
         <translation>Nur Abschnitte, in denen das Werkzeug nichts berührt, verraten sein Gewicht. Heft hat sie sortiert; hier ist alles frei. In eigenen Aufnahmen übermalen Sie, was Heft falsch einordnet.</translation>
     </message>
     <message>
@@ -13804,7 +13804,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Einheit des Gewichts</translation>
     </message>
     <message>
-        <source>“%1” is no weight: type a number such as 0.8 kg or 800 g, or leave it empty.</source>
+        <source>“%1” is not a weight. Enter e.g. 0.8 kg or 800 g, or leave it blank.</source>
         <translation>„%1“ ist kein Gewicht: Schreiben Sie eine Zahl wie 0,8 kg oder 800 g, oder lassen Sie das Feld leer.</translation>
     </message>
 </context>

@@ -70,9 +70,16 @@
     <name>MarkText</name>
     <message numerus="yes">
         <source>Only free parts are used. Please check %n stretch(es).</source>
-        <translation>
+        <translation type="vanished">
             <numerusform>Only free parts are used. Please check %n stretch.</numerusform>
             <numerusform>Only free parts are used. Please check %n stretches.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Only free parts are used. Please check %n segment(es).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -152,16 +159,30 @@
     <name>heft::LiveBoard</name>
     <message numerus="yes">
         <source>%n part(s) without a partner</source>
-        <translation>
+        <translation type="vanished">
             <numerusform>%n part without a partner</numerusform>
             <numerusform>%n parts without a partner</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n stretch(es) look touched. You can check them in Mark.</source>
-        <translation>
+        <translation type="vanished">
             <numerusform>%n stretch looks touched. You can check it in Mark.</numerusform>
             <numerusform>%n stretches look touched. You can check them in Mark.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unmatched sample(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n segment(es) look touched. You can check them in Mark.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>

@@ -291,7 +291,7 @@ class SendingRobot {
   void run(const std::stop_token& stopping, std::uint16_t port) {
     VirtualRigOptions options;
     options.payload = practiceTool(1);
-    options.mount = SensorMount{};  // Where a meta file without a place says it is
+    options.mount = SensorMount{};  // Where a setup file without a place says it is
     auto rig = VirtualRig::create(RobotModel::panda(), options).value();
     rig.arm().wander();
     const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);

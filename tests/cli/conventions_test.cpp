@@ -1,4 +1,4 @@
-// Whatever a meta file states about the numbers: every command does what it does with the plain recording.
+// Whatever a setup file states about the numbers: every command does what it does with the plain recording.
 #include <gmock/gmock.h>
 
 #include "core/recording/csv_reader.h"
@@ -159,7 +159,7 @@ TEST_F(ConventionsTest, WhatCannotBeIsRefusedWithOneSentence) {
 
 TEST_F(ConventionsTest, WhatIsNotStatedIsSaidAndCanBeObeyed) {
   make("odd", kBaseAxes, MotionForm::joints);
-  // As if nobody had said anything: the same numbers with the plain meta file, but for the unit of the angles.
+  // As if nobody had said anything: the same numbers with the plain setup file, but for the unit of the angles.
   json meta = readJson("plain.meta.json");
   meta["angle_unit"] = "deg";
   write("odd.meta.json", meta.dump());

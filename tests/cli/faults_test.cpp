@@ -188,7 +188,7 @@ TEST_F(FaultsTest, ARecordingKilledAtAnyMomentCanBeRead) {
     const std::string csv = read(name + ".csv");
     EXPECT_GE(wholeRows(csv), 0) << name << " ends in the middle of a row";
     if (wholeRows(csv) < 2) continue;
-    ASSERT_TRUE(exists(name + ".meta.json")) << "the meta file is there before the first row";
+    ASSERT_TRUE(exists(name + ".meta.json")) << "the setup file is there before the first row";
     EXPECT_EQ(readJson(name + ".meta.json")["robot"], "panda");
     EXPECT_EQ(heft({"convert", name + ".csv", "--list"}).exitCode, 0);
     ++readable;

@@ -30,7 +30,7 @@ TEST_F(SegmentTest, SegmentsAreTextAndJson) {
   const Outcome text = heft({"segment", "rec.csv", "--json", "segments.json"});
   EXPECT_EQ(text.exitCode, 0) << text.err;
   EXPECT_THAT(text.out, HasSubstr("touch nothing"));
-  EXPECT_THAT(text.out, HasSubstr("A push that the motion does not explain."));
+  EXPECT_THAT(text.out, HasSubstr("Force not explained by the motion."));
   const json result = readJson("segments.json");
   EXPECT_EQ(result["schema"], "heft.segment/1");
   ASSERT_GT(result["segments"].size(), 2u);

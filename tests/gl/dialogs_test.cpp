@@ -230,7 +230,7 @@ TEST_F(DialogsTest, WhatIsToBeDoneExistsInTheWindow) {
       const QString words = QString::fromStdString(remedy(way, "NAME"));
       EXPECT_EQ(words.toStdString(), windowRemedy(way, "NAME"));
       EXPECT_FALSE(words.isEmpty());
-      EXPECT_FALSE(words.contains("--") || words.contains("meta file") || words.contains(".json"))
+      EXPECT_FALSE(words.contains("--") || words.contains("setup file") || words.contains(".json"))
           << words.toStdString();
       for (auto it = quoted.globalMatch(words); it.hasNext();) {
         const QString named = it.next().captured(1);

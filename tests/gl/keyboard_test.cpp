@@ -123,8 +123,8 @@ TEST_F(KeyboardTest, FromOpeningToThePayloadFile) {
   press(Qt::Key_5, Qt::AltModifier);
   settle(300);
   if (auto* look = window.panel(Step::realityCheck)->findChild<QPushButton*>("mainButton");
-      look && look->text() == "Look for causes") {
-    tabTo("mainButton", "Look for causes");
+      look && look->text() == "Run reality check") {
+    tabTo("mainButton", "Run reality check");
     press(Qt::Key_Space);
     settle();
   }
@@ -184,8 +184,8 @@ TEST_F(KeyboardTest, ACauseIsAppliedAndTheKeyboardStaysThere) {
   press(Qt::Key_5, Qt::AltModifier);
   settle(300);
   const auto* main = window.panel(Step::realityCheck)->findChild<QPushButton*>("mainButton");
-  if (main && main->text() == "Look for causes") {
-    tabTo("mainButton", "Look for causes");
+  if (main && main->text() == "Run reality check") {
+    tabTo("mainButton", "Run reality check");
     press(Qt::Key_Return);
     settle();
   }
@@ -196,7 +196,7 @@ TEST_F(KeyboardTest, ACauseIsAppliedAndTheKeyboardStaysThere) {
   ASSERT_TRUE(QApplication::focusWidget());
   EXPECT_TRUE(window.panel(Step::realityCheck)->isAncestorOf(QApplication::focusWidget()))
       << "the keyboard left the panel";
-  tabTo("plainButton", "Take back");
+  tabTo("plainButton", "Undo");
   press(Qt::Key_Space);
   settle(400);
   EXPECT_TRUE(workspace.corrections().causes.empty());

@@ -171,8 +171,7 @@ class SourcesTest : public RealWindowTest {
     })) << "the arm in the picture stands as the robot does";
   }
   void seeLoss() {
-    EXPECT_TRUE(soon([&] { return reads("The connection is lost. Heft tries again by itself."); }))
-        << words().toStdString();
+    EXPECT_TRUE(soon([&] { return reads("Connection lost. Reconnecting automatically…"); })) << words().toStdString();
     EXPECT_TRUE(reads("What came so far is kept."));
     EXPECT_TRUE(soon([&] { return reads("connection lost 1 time"); })) << words().toStdString();
   }
@@ -330,7 +329,7 @@ TEST_F(SourcesTest, WhatCannotBeReadOrReachedIsSaidInAPlainSentence) {
   std::uint16_t port = 0;
   { port = FakeWebPage("").port(); }
   connectTo("sourceRosbridge", QStringLiteral("127.0.0.1:%1").arg(port));
-  EXPECT_TRUE(soon([&] { return reads("Nothing answers yet. Heft goes on trying."); })) << words().toStdString();
+  EXPECT_TRUE(soon([&] { return reads("No response yet. Still trying…"); })) << words().toStdString();
   EXPECT_FALSE(panel->findChild<QPushButton*>("mainButton")->isEnabled());
 }
 

@@ -263,7 +263,7 @@ TEST_F(PlotsTest, ShowsTheWholeRecordingInAllLanes) {
 }
 
 TEST_F(PlotsTest, AStretchThatIsSpokenOfIsFramedWithSomethingOnBothSides) {
-  pane.highlight(4.0, 6.0, "unseen stretch");
+  pane.highlight(4.0, 6.0, "held-out segment");
   EXPECT_NEAR(pane.timeAxis()->lower(), 3.2, 1e-9);
   EXPECT_NEAR(pane.timeAxis()->upper(), 6.8, 1e-9);
   QApplication::processEvents();

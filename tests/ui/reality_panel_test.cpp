@@ -202,7 +202,7 @@ TEST_F(RealityPanelTest, ACleanRecordingIsSaidToFitAndTheNextStepIsExport) {
   settle();
   ASSERT_TRUE(panel->report());
   EXPECT_EQ(panel->report()->verdict, Verdict::clean);
-  EXPECT_TRUE(texts().contains("Only the sensor’s noise is left."));
+  EXPECT_TRUE(texts().contains("The remaining error is sensor noise."));
   EXPECT_EQ(panel->state().progress, StepState::Progress::done);
   const auto mains = panel->findChildren<QPushButton*>("mainButton");
   ASSERT_EQ(mains.size(), 1);

@@ -33,7 +33,7 @@ TEST(DescribeResult, SaysItInWordsFirst) {
   const Recording recording = test::sineRecording(1000, 100);
   const ResultText text = describeResult(test::reportOn(recording), {});
   EXPECT_EQ(text.question, "Your tool weighs 0.81 kg.");
-  EXPECT_EQ(text.answer, "Mass, centre and inertia are measured.");
+  EXPECT_EQ(text.answer, "Mass, centre of mass and inertia: all measured.");
   EXPECT_EQ(text.mass.value, "0.812");
   EXPECT_EQ(text.mass.plusMinus, QString::fromUtf8("± 0.004 kg"));
   ASSERT_EQ(text.com.size(), 3u);
@@ -55,7 +55,7 @@ TEST(DescribeResult, SaysWhatIsNotKnown) {
                      {Severity::info, "note", "a note", "", {}},
                      {Severity::warning, "rows_repeat", "a third of the rows repeat", "look", {}}};
   const ResultText text = describeResult(report, {});
-  EXPECT_EQ(text.answer, "Mass and centre are measured; inertia is not fully known from this motion.");
+  EXPECT_EQ(text.answer, "Mass and centre are measured; inertia is not fully determined by this motion.");
   EXPECT_EQ(text.advice, "Turn the tool faster about its long axis");
   // The three products share one row; the advice is not said twice; the gravest finding comes first.
   ASSERT_EQ(text.inertia.size(), 4u);

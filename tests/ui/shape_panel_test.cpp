@@ -191,7 +191,7 @@ TEST_F(ShapePanelTest, WeightMaterialAndInsideAreTakenOrRefused) {
   ASSERT_TRUE(shape().bodies[0].wall);
   EXPECT_NEAR(*shape().bodies[0].wall, 0.003, 1e-12);
   type("wall", "40");
-  EXPECT_TRUE(complaint().contains("hollow")) << complaint().toStdString();
+  EXPECT_TRUE(complaint().contains("too thick")) << complaint().toStdString();
   EXPECT_NEAR(*shape().bodies[0].wall, 0.003, 1e-12);
   click("insideSolid");
   EXPECT_FALSE(shape().bodies[0].wall);

@@ -22,7 +22,7 @@ bool leftOutAlready(const DiagnosedCause& cause, const std::vector<Segment>& seg
 /// It made the error smaller on stretches that it was not fitted to, or needs no such proof.
 bool helpsUnseen(const DiagnosedCause& cause);
 
-/// What a rigid tool leaves unexplained, as the meta file has it and as physics reads it.
+/// What a rigid tool leaves unexplained, as the setup file has it and as physics reads it.
 struct ReadingCurves {
   conventions::LeftOver stated, read;
 };
@@ -36,7 +36,7 @@ class RealityFindings : public QObject {
     std::weak_ptr<const OpenRecording> of;
     std::shared_ptr<const DiagnosisReport> report;
     std::vector<diagnosis::Witness> witnesses;
-    std::optional<ReadingCurves> curves;  ///< Where the numbers do not mean what the meta file says
+    std::optional<ReadingCurves> curves;  ///< Where the numbers do not mean what the setup file says
     std::string json;                     ///< heft.diagnose/1
     std::vector<Mark> marks;              ///< That it was made with.
     std::string guess;                    ///< Of a practice recording, when it was told what is hidden

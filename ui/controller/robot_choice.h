@@ -1,5 +1,5 @@
 #pragma once
-// Robot and sensor of a recording, as the meta file beside it says them, and changing that.
+// Robot and sensor of a recording, as the setup file beside it says them, and changing that.
 #include <QString>
 
 #include "core/base/result.h"
@@ -7,13 +7,13 @@
 
 namespace heft {
 
-/// The meta file beside a recording.
+/// The setup file beside a recording.
 QString metaFileBeside(const QString& recording);
 
-/// What holds for a recording now: as it was opened, else what its meta file says, else the usual.
+/// What holds for a recording now: as it was opened, else what its setup file says, else the usual.
 Result<RecordingMeta> rigOf(const QString& recording, const OpenRecording* opened);
 
-/// Writes what differs between `before` and `after` (robot, kind, sensor, gravity, conventions) into the meta file
+/// Writes what differs between `before` and `after` (robot, kind, sensor, gravity, conventions) into the setup file
 /// beside the recording; all else in it stays as it is, and a map file that stated a convention otherwise leaves it to
 /// this. Fails, and writes nothing, if the robot's description cannot be read or does not fit: other joints than the
 /// opened recording has, or no link where the sensor is mounted. The recording has to be opened again to show it.

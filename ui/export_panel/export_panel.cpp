@@ -65,7 +65,7 @@ StepState ExportPanel::state() const {
   return {P::ready, Light::measured,
           text_.empty() ? tr("cannot be written yet")
           : asked       ? tr("ready to save")
-                        : tr("one answer is missing")};
+                        : tr("one question left")};
 }
 
 ExportChoice ExportPanel::choiceNow() const {
@@ -194,8 +194,7 @@ void ExportPanel::addRole(QVBoxLayout* column, const ExportChoice& choice) {
   roles->setChosen(choice.role == Role::ownTool ? 0 : choice.role == Role::extraLoad ? 1 : -1);
   connect(roles, &Segments::picked, this, [this](int i) { chooseRole(i == 0 ? Role::ownTool : Role::extraLoad); });
   column->addWidget(roles);
-  column->addWidget(
-      wrappedLabel(tr("Never state it as both: the controller would count the weight twice."), "caption", content));
+  column->addWidget(wrappedLabel(tr("Don’t enter it as both, or its weight is counted twice."), "caption", content));
 }
 
 void ExportPanel::addMounted(QVBoxLayout* column, const ExportChoice& choice, double together) {
@@ -294,7 +293,7 @@ void ExportPanel::addChecks(QVBoxLayout* column, const Result<PayloadFile>& file
     card.layout->addWidget(wrappedLabel(QString::fromStdString(report->whyNoTrust), "body", content));
     card.layout->addWidget(wrappedLabel(QString::fromStdString(report->whatToDo), "caption", content));
     auto* row = new QHBoxLayout;
-    auto* look = new QPushButton(tr("Look for what is wrong"), content);
+    auto* look = new QPushButton(tr("Run reality check"), content);
     look->setObjectName("acceptButton");
     connect(look, &QPushButton::clicked, this, [this] { parts().goTo(Step::realityCheck); });
     row->addWidget(look);
@@ -319,16 +318,12 @@ void ExportPanel::addChecks(QVBoxLayout* column, const Result<PayloadFile>& file
     const QString asks = choice.mounted.empty() ? tr("The sensor itself weighs something, too: add it under “Something "
                                                      "else …” unless the controller knows it "
                                                      "already, or tick “Nothing else”.")
-                                                : tr("The sensor itself weighs something, too: tick it above unless "
-                                                     "the controller knows it already, or tick "
-                                                     "“Nothing else”.");
+                                                : tr("Don’t forget the sensor’s own weight: tick it above unless the "
+                                                     "controller already includes it, or tick “Nothing else”.");
     checks.insert(checks.begin(), {Severity::warning, false, false, asks});
   }
   if (choice.role == ExportChoice::Role::unasked)
-    checks.insert(
-        checks.begin(),
-        {Severity::warning, false, false,
-         tr("Say above whether this is the robot’s own tool or something it picked up; then it can be saved.")});
+    checks.insert(checks.begin(), {Severity::warning, false, false, tr("Answer the question above before saving.")});
   for (const Check& check : checks)
     if (!check.doubt) addCheck(column, check);
 }
@@ -397,7 +392,7 @@ Result<bool> ExportPanel::saveTo(const QString& path, bool replace) {
   if (text_.empty())
     return Error{refusal_.empty() ? tr("There is no payload file to save yet.").toStdString() : refusal_};
   if (!replace && QFileInfo::exists(path))
-    return Error{tr("%1 exists already and was not replaced.").arg(path).toStdString()};
+    return Error{tr("%1 already exists and was not overwritten.").arg(path).toStdString()};
   auto written = writeTextFile(path.toStdString(), text_);
   if (!written) return written.error();
   savedAs_ = path;

@@ -70,14 +70,14 @@ QString roleAdvice(std::string_view formatId, ExportChoice::Role role) {
   const bool endEffector = formatId == "franka-desk" || formatId == "franka-profile";
   if (setLoad && role == ExportChoice::Role::ownTool)
     return Words::tr(
-        "This file sets the load on top of the end effector. The robot’s own tool belongs into Franka Desk; "
-        "stated in both, its weight counts twice.");
+        "This file sets the load on top of the end effector. Enter the robot’s own tool in Franka Desk instead; "
+        "otherwise its weight counts twice.");
   if (endEffector && role == ExportChoice::Role::extraLoad)
     return Words::tr(
         "This file describes the robot’s own end effector. Something that it picked up belongs into setLoad "
         "(libfranka or ROS), added to the tool that is already there.");
   if (formatId == "ur" && role == ExportChoice::Role::extraLoad)
-    return Words::tr("A UR wants tool and load together in one number: tick the tool under “What else is mounted?”.");
+    return Words::tr("UR expects tool and load combined: tick the tool under “What else is mounted?”.");
   return {};
 }
 
@@ -117,7 +117,7 @@ std::vector<Check> checksBeforeSaving(const EstimateReport& report, const Payloa
   // What speaks against the numbers comes first.
   std::stable_partition(checks.begin(), checks.end(), [](const Check& check) { return check.doubt; });
   if (checkPhysical(onFlange).physical)
-    checks.push_back({Severity::info, true, false, Words::tr("A real body can have these numbers.")});
+    checks.push_back({Severity::info, true, false, Words::tr("Physically consistent.")});
   if (format.heaviest > 0 && onFlange.mass < 0.9 * format.heaviest)
     checks.push_back({Severity::info, true, false,
                       Words::tr("Well inside the arm’s limit of %1 kg.").arg(numberText(format.heaviest, 0))});

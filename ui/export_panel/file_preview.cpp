@@ -138,7 +138,7 @@ void FilePreview::showNothing(const QString& why) {
 }
 
 void FilePreview::setSaved(bool saved) {
-  tag_->setText(saved ? tr("saved") : tr("not written yet"));
+  tag_->setText(saved ? tr("saved") : tr("not saved"));
   tag_->show();
 }
 

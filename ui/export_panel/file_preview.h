@@ -17,7 +17,7 @@ class FilePreview : public QWidget {
 
   void showFile(const QString& name, const QString& text, const std::vector<int>& doubtful);
   void showNothing(const QString& why);
-  /// "not written yet", "saved".
+  /// "not saved", "saved".
   void setSaved(bool saved);
   QString text() const;
 

@@ -91,7 +91,7 @@ void MountedList::showParts(const std::vector<MountedPart>& parts, bool nothingE
   connect(more, &QPushButton::clicked, this, &MountedList::addPart);
   line(more, {}, "rowName");
   if (together >= 0) {
-    line(styledLabel(tr("Together on the flange"), "sectionTitle", this), tr("%1 kg").arg(numberText(together, 3)),
+    line(styledLabel(tr("Total on the flange"), "sectionTitle", this), tr("%1 kg").arg(numberText(together, 3)),
          "midNumber");
   }
 }
@@ -120,8 +120,7 @@ void MountedList::addPart() {
     form->addRow(axes[i], place[i]);
   }
   place[2]->setValue(20);
-  form->addRow(
-      wrappedLabel(tr("Its inertia is taken as that of a compact aluminium body of this weight."), "caption", &dialog));
+  form->addRow(wrappedLabel(tr("Inertia is approximated by a compact aluminium body."), "caption", &dialog));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
   buttons->button(QDialogButtonBox::Ok)->setText(tr("Add it"));
   connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);

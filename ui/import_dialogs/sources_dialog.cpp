@@ -135,7 +135,7 @@ void SourcesDialog::addMore(QVBoxLayout* column) {
     wishes_.poseOfFlange = poseOf_->currentData().toBool();
     look();
   });
-  row->addWidget(styledLabel(tr("Add to the wrench’s times"), "rowName", this));
+  row->addWidget(styledLabel(tr("Wrench time offset"), "rowName", this));
   shift_ = new QDoubleSpinBox(this);
   shift_->setObjectName("wrenchShift");
   shift_->setAccessibleName(tr("Seconds added to the times of force and torque"));
@@ -160,7 +160,7 @@ void SourcesDialog::addMore(QVBoxLayout* column) {
   });
   column->addLayout(row);
   auto* files = new QHBoxLayout;
-  auto* add = new QPushButton(tr("Add a file recorded with it …"), this);
+  auto* add = new QPushButton(tr("Add another file…"), this);
   add->setObjectName("addFile");
   add->setToolTip(tr("For instance the sensor's own log beside the robot's"));
   connect(add, &QPushButton::clicked, this, &SourcesDialog::addFile);
@@ -171,7 +171,7 @@ void SourcesDialog::addMore(QVBoxLayout* column) {
 }
 
 void SourcesDialog::addColumns(QVBoxLayout* column) {
-  auto* toggle = new QPushButton(tr("Choose each column by itself"), this);
+  auto* toggle = new QPushButton(tr("Choose columns individually"), this);
   toggle->setObjectName("eachColumn");
   toggle->setCheckable(true);
   column->addWidget(toggle, 0, Qt::AlignLeft);

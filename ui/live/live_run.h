@@ -23,7 +23,7 @@ struct LiveOrigin {
   std::uint64_t tool = 0;              ///< Seed of the virtual arm's hidden tool
   std::vector<std::string> addresses;  ///< Of the sources; empty for the virtual arm
   RecordingMeta meta;                  ///< As the rig file says
-  std::filesystem::path replayMeta;    ///< For a recording that is played: the rig file; empty: its own meta file
+  std::filesystem::path replayMeta;    ///< For a recording that is played: the rig file; empty: its own setup file
   bool mountAssumed = false;           ///< Nobody said how the sensor sits on the flange.
 };
 

@@ -26,11 +26,11 @@ constexpr CoachWords kCoach[] = {
      QT_TRANSLATE_NOOP("LiveWords", "tilt sideways, slowly")},
     {"tilt-forwards", QT_TRANSLATE_NOOP("LiveWords", "Tilt the tool forwards and back, slowly"),
      QT_TRANSLATE_NOOP("LiveWords", "tilt forwards, slowly")},
-    {"tilt-round", QT_TRANSLATE_NOOP("LiveWords", "Tilt the tool round in a slow circle, as if stirring"),
+    {"tilt-round", QT_TRANSLATE_NOOP("LiveWords", "Move the tool in a slow circle, as if stirring"),
      QT_TRANSLATE_NOOP("LiveWords", "tilt in a slow circle")},
-    {"turn-slowly", QT_TRANSLATE_NOOP("LiveWords", "Turn the tool about its long axis, slowly and far"),
+    {"turn-slowly", QT_TRANSLATE_NOOP("LiveWords", "Rotate the tool slowly about its long axis, as far as it goes"),
      QT_TRANSLATE_NOOP("LiveWords", "turn far, slowly")},
-    {"turn-fast", QT_TRANSLATE_NOOP("LiveWords", "Turn the tool to and fro about its long axis, faster"),
+    {"turn-fast", QT_TRANSLATE_NOOP("LiveWords", "Rotate the tool back and forth about its long axis, faster"),
      QT_TRANSLATE_NOOP("LiveWords", "turn to and fro, faster")},
     {"swing-sideways", QT_TRANSLATE_NOOP("LiveWords", "Swing the tool sideways to and fro, once a second"),
      QT_TRANSLATE_NOOP("LiveWords", "swing sideways")},
@@ -45,16 +45,17 @@ constexpr CoachWords kCoach[] = {
     {"shake-about", QT_TRANSLATE_NOOP("LiveWords", "Shake the tool about its long axis, two to three times a second"),
      QT_TRANSLATE_NOOP("LiveWords", "shake about its axis")},
     {"wobble",
-     QT_TRANSLATE_NOOP("LiveWords", "Wobble the tool: tip it to all sides and twist it at once, about twice a second"),
+     QT_TRANSLATE_NOOP("LiveWords",
+                       "Wobble the tool: tilt it in all directions while twisting it, about twice a second"),
      QT_TRANSLATE_NOOP("LiveWords", "wobble: tip and twist at once")},
     {"shake-wrist",
-     QT_TRANSLATE_NOOP("LiveWords",
-                       "Shake the tool from the wrist, two to three times a second: tip it to all sides and twist it "
-                       "at once"),
+     QT_TRANSLATE_NOOP(
+         "LiveWords",
+         "Shake the tool from the wrist, two to three times a second: tilt it in all directions while twisting it"),
      QT_TRANSLATE_NOOP("LiveWords", "shake from the wrist")},
     {"swing-wrist",
      QT_TRANSLATE_NOOP("LiveWords",
-                       "Swing the tool from the wrist, once a second: tip it to all sides and twist it at once"),
+                       "Swing the tool from the wrist, once a second: tilt it in all directions while twisting it"),
      QT_TRANSLATE_NOOP("LiveWords", "swing from the wrist")},
 };
 
@@ -177,11 +178,11 @@ QString poseWords(const JudgedPose& pose) {
     case PoseLight::used:
       return Words::tr("Used.");
     case PoseLight::tooClose:
-      return Words::tr("The tool hangs nearly as in another pose: tilt it further.");
+      return Words::tr("Too similar to an earlier pose. Tilt the tool further.");
     case PoseLight::moving:
       return Words::tr("The tool moved: hold it still for a second.");
     case PoseLight::contact:
-      return Words::tr("The force is %1 N off what the other poses say: something touched the tool.")
+      return Words::tr("The force differs by %1 N from the other poses: something touched the tool.")
           .arg(numberText(pose.misfit, 1));
   }
   return {};
@@ -195,11 +196,11 @@ QString spreadWords(const LiveView& view) {
       return Words::tr("The tilts cover all directions.");
     case ExcitationLight::coarse:
       return used < 6 ? Words::tr("%n of at least 6 poses can be used.", "", used)
-                      : Words::tr("The tilts cover all directions a little: wider ones tell more.");
+                      : Words::tr("All directions are covered, but only slightly. Larger tilts give better results.");
     case ExcitationLight::none:
       break;
   }
-  return used < 2 ? Words::tr("The tool has been in one tilt only: tilt it, at least by 30 degrees.")
+  return used < 2 ? Words::tr("All poses have the same orientation. Tilt the tool by at least 30°.")
                   : Words::tr("The tool has been tilted about one axis only: tilt it about another one too.");
 }
 

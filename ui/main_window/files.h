@@ -34,7 +34,7 @@ class Files : public QObject {
   /// True if the session may be closed: saved, unchanged, or given up by the user.
   bool mayClose();
   void open(const QStringList& paths);
-  /// Robot and sensor of a recording, in a dialog; what is said goes into its meta file. Empty: the one that is open.
+  /// Robot and sensor of a recording, in a dialog; what is said goes into its setup file. Empty: the one that is open.
   void editRig(const QString& recording = {});
   /// Which of its columns is what, likewise; goes into its map file.
   void editSources(const QString& recording = {});

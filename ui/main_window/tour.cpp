@@ -18,7 +18,7 @@ QString textFor(Step step) {
           "hose pulls at the tool, and nobody told Heft. Press the space bar to see the arm move.");
     case Step::mark:
       return Tour::tr(
-          "Only stretches in which the tool touched nothing tell its weight. Heft has sorted them; everything is free "
+          "Only segments in which the tool touched nothing tell its weight. Heft has sorted them; everything is free "
           "here. In your own recordings you can paint over what Heft took wrongly.");
     case Step::shape:
       return Tour::tr(

@@ -97,7 +97,7 @@ void MarkPanel::changeEvent(QEvent* event) {
 StepState MarkPanel::state() const {
   using P = StepState::Progress;
   const auto opened = workspace().opened();
-  if (!opened) return {P::later, Light::measured, tr("after recording")};
+  if (!opened) return {P::later, Light::measured, tr("needs a recording")};
   if (opened->recording.meta.kind == RecordingKind::poses) return {P::done, Light::measured, tr("all poses are used")};
   const auto [segments, suggested] = shown();
   if (segments.empty())
@@ -109,7 +109,7 @@ StepState MarkPanel::state() const {
           tr("%1 s free").arg(numberText(summary.seconds[0], 1))};
 }
 
-QString MarkPanel::hint() const { return tr("Drag an edge to move it · Ctrl+Z undoes"); }
+QString MarkPanel::hint() const { return tr("Drag an edge to adjust it · Ctrl+Z to undo"); }
 
 void MarkPanel::entered() {
   here_ = true;
@@ -129,7 +129,9 @@ void MarkPanel::refresh() {
   const auto opened = workspace().opened();
   brushes_ = nullptr;
   if (!opened) {
-    page()->restart(tr("When did the tool touch nothing?"), tr("Open a recording first."))->addStretch(1);
+    page()
+        ->restart(tr("When was the tool free (not touching anything)?"), tr("Open a recording first."))
+        ->addStretch(1);
     page()->setMainButton(tr("Go to Record"), [this] { parts().goTo(Step::record); });
     page()->setSecondButton({});
     emit stateChanged();
@@ -139,7 +141,7 @@ void MarkPanel::refresh() {
   const MarkSummary summary = summarise(segments, suggested, opened->recording.duration());
   const bool poses = opened->recording.meta.kind == RecordingKind::poses;
   QVBoxLayout* column =
-      page()->restart(tr("When did the tool touch nothing?"),
+      page()->restart(tr("When was the tool free (not touching anything)?"),
                       poses ? tr("Standing poses are all used.")
                             : (segments.empty() ? workspace().busy() ? tr("Heft is looking at the recording …")
                                                   : workspace().lastFailure().isEmpty() ? tr("Nothing was found.")
@@ -188,7 +190,7 @@ void MarkPanel::addSuggestion(QVBoxLayout* column, const Segment& segment, bool 
   head->addStretch(1);
   auto* when = new QPushButton(stretchText(segment.from, segment.to), content);
   when->setObjectName("linkButton");
-  when->setToolTip(tr("Show this stretch"));
+  when->setToolTip(tr("Show this segment"));
   connect(when, &QPushButton::clicked, this, [this, segment] { select(segment.from, segment.to); });
   head->addWidget(when);
   card.layout->addLayout(head);
@@ -208,7 +210,7 @@ void MarkPanel::addSuggestion(QVBoxLayout* column, const Segment& segment, bool 
   auto* yes = new QPushButton(segment.label == MarkLabel::contact ? tr("Yes, contact") : tr("Yes, ignore"), content);
   yes->setObjectName("acceptButton");
   connect(yes, &QPushButton::clicked, this, [this, segment] { decide(segment, segment.label); });
-  auto* no = new QPushButton(tr("No, it was free"), content);
+  auto* no = new QPushButton(tr("No, free motion"), content);
   no->setObjectName("plainButton");
   connect(no, &QPushButton::clicked, this, [this, segment] { decide(segment, MarkLabel::free); });
   answers->addWidget(yes, 1);
@@ -223,7 +225,7 @@ void MarkPanel::addDecided(QVBoxLayout* column, const std::vector<Segment>& segm
                            const std::vector<bool>& suggested) {
   QWidget* content = page()->content();
   column->addSpacing(4);
-  column->addWidget(styledLabel(tr("All stretches"), "sectionTitle", content));
+  column->addWidget(styledLabel(tr("All segments"), "sectionTitle", content));
   auto* rows = new QVBoxLayout;
   rows->setSpacing(0);
   column->addLayout(rows);
@@ -292,7 +294,7 @@ void MarkPanel::addTrim(QVBoxLayout* column) {
 void MarkPanel::addSummary(QVBoxLayout* column, const MarkSummary& summary) {
   QWidget* content = page()->content();
   column->addSpacing(4);
-  column->addWidget(styledLabel(tr("Left to use"), "sectionTitle", content));
+  column->addWidget(styledLabel(tr("Usable data"), "sectionTitle", content));
   auto* bar = new ShareBar(content);
   bar->setSeconds(summary.seconds);
   column->addWidget(bar);
@@ -347,7 +349,7 @@ std::optional<Segment> MarkPanel::segmentNow() const {
 }
 
 void MarkPanel::addActions(const StudioMenus& menus) {
-  QMenu* marks = menus.edit->addMenu(tr("&Mark the stretch shown"));
+  QMenu* marks = menus.edit->addMenu(tr("&Mark the segment shown"));
   const QString names[] = {tr("as &free"), tr("as &contact"), tr("&ignored")};
   for (std::size_t k = 0; k < kLabels.size(); ++k) {
     QAction* action = marks->addAction(names[k], this, [this, k] {

@@ -39,8 +39,8 @@ MarkSummary summarise(const std::vector<Segment>& segments, const std::vector<bo
 
 QString markAnswer(const MarkSummary& summary) {
   if (summary.suggestions > 0)
-    return Words::tr("Only free parts are used. Please check %n stretch(es).", "", summary.suggestions);
-  if (summary.seconds[1] + summary.seconds[2] <= 0) return Words::tr("Heft found nothing that touched the tool.");
+    return Words::tr("Only free parts are used. Please check %n segment(es).", "", summary.suggestions);
+  if (summary.seconds[1] + summary.seconds[2] <= 0) return Words::tr("No contact detected.");
   return Words::tr("Only free parts are used.");
 }
 

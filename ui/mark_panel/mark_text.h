@@ -23,7 +23,7 @@ struct MarkSummary {
 
 MarkSummary summarise(const std::vector<Segment>& segments, const std::vector<bool>& suggested, double duration);
 
-/// "When did the tool touch nothing?" needs one sentence of answer.
+/// "When was the tool free (not touching anything)?" needs one sentence of answer.
 QString markAnswer(const MarkSummary& summary);
 
 }  // namespace heft

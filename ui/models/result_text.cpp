@@ -67,7 +67,7 @@ Source most(Source a, Source b) { return static_cast<int>(a) > static_cast<int>(
 
 QString answerText(Source mass, Source com, Source inertia) {
   if (mass == Source::data && com == Source::data && inertia == Source::data) {
-    return ResultWords::tr("Mass, centre and inertia are measured.");
+    return ResultWords::tr("Mass, centre of mass and inertia: all measured.");
   }
   const struct {
     QString name;
@@ -89,8 +89,8 @@ QString answerText(Source mass, Source com, Source inertia) {
                     ? (several ? ResultWords::tr("%1 are measured") : ResultWords::tr("%1 is measured"))
                 : source == Source::prior
                     ? (several ? ResultWords::tr("%1 lean on your shape") : ResultWords::tr("%1 leans on your shape"))
-                    : (several ? ResultWords::tr("%1 are not fully known from this motion")
-                               : ResultWords::tr("%1 is not fully known from this motion")))
+                    : (several ? ResultWords::tr("%1 are not fully determined by this motion")
+                               : ResultWords::tr("%1 is not fully determined by this motion")))
                    .arg(who);
   }
   return capitalised(clauses.join(ResultWords::tr("; "))) + ResultWords::tr(".");
@@ -224,12 +224,12 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
         ResultWords::tr("Root mean square x, y, z of the difference, and the sensor’s own scatter"));
   }
   if (r.heldoutForceRms > 0) {
-    add(ResultWords::tr("On unseen parts"),
+    add(ResultWords::tr("Held-out error"),
         QStringLiteral("%1 N, %2 %3")
             .arg(numberText(r.heldoutForceRms, 3), torqueText(r.heldoutTorqueRms, 4), torque.name),
         ResultWords::tr("The same on parts that the estimate did not see"));
   }
-  add(ResultWords::tr("Sensor zero, force"), ResultWords::tr("%1 N").arg(triple(r.forceBias, 2)),
+  add(ResultWords::tr("Sensor bias, force"), ResultWords::tr("%1 N").arg(triple(r.forceBias, 2)),
       ResultWords::tr("Constant offset x, y, z of the sensor"));
   add(ResultWords::tr("Sensor zero, torque"),
       QStringLiteral("%1 %2").arg(triple(torque.scale * r.torqueBias, 3 + torque.decimals), torque.name),
@@ -249,13 +249,14 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
     if (r.relativeError->hasInertia)
       errors << ResultWords::tr("inertia %1 %").arg(numberText(100 * r.relativeError->inertiaCom, 1));
     if (!errors.isEmpty())
-      add(ResultWords::tr("Off what you stated"), errors.join(", "),
+      add(ResultWords::tr("Deviation from reference"), errors.join(", "),
           ResultWords::tr("Relative error |estimate − stated| / |stated|"));
   }
   add(ResultWords::tr("A real body could be so"),
       r.physicallyConsistent ? ResultWords::tr("yes") : ResultWords::tr("no"),
       ResultWords::tr("Positive mass and an inertia that some distribution of mass can have"));
-  add(ResultWords::tr("Time to compute"), ResultWords::tr("%1 s").arg(numberText(r.timing.prepare + r.timing.solve, 2)),
+  add(ResultWords::tr("Computation time"),
+      ResultWords::tr("%1 s").arg(numberText(r.timing.prepare + r.timing.solve, 2)),
       ResultWords::tr("Preparing and solving"));
   return rows;
 }

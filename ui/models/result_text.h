@@ -70,7 +70,7 @@ struct ResultText {
 /// What is known of the payload from elsewhere, and who says so.
 struct KnownPayload {
   PartialPayload payload;
-  bool byUser = true;  ///< Else it stands in the recording's meta file.
+  bool byUser = true;  ///< Else it stands in the recording's setup file.
 };
 
 /// What the reality check found and nobody applied.

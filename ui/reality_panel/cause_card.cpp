@@ -70,7 +70,7 @@ class GainBars : public QWidget {
     setFixedHeight(46);
     setAccessibleName(Say::tr("Unseen error %1 before, %2 after, noise floor %3")
                           .arg(unseen.text(before_), unseen.text(after_), unseen.text(noise_)));
-    setToolTip(Say::tr("Root mean square of what the model misses, on stretches that it was not fitted to."));
+    setToolTip(Say::tr("Root mean square of what the model misses, on segments that it was not fitted to."));
   }
 
  protected:
@@ -134,7 +134,7 @@ void addDetails(QVBoxLayout* column, const DiagnosisReport& report, const Diagno
     auto* chart = new ChartWidget(parent);
     chart->setChart(overlayChart(report, cause), true);
     chart->setFixedHeight(140);
-    chart->setAccessibleName(Say::tr("Measured, old and improved simulation on the unseen stretch"));
+    chart->setAccessibleName(Say::tr("Measured, old and improved simulation on the held-out segment"));
     column->addWidget(chart);
   }
   auto* grid = new QGridLayout;
@@ -167,12 +167,12 @@ void addDetails(QVBoxLayout* column, const DiagnosisReport& report, const Diagno
         Say::tr("How often a clean recording with this motion and noise looks at least as conspicuous"));
     if (cause.gain.blocks > 0) {
       add(Say::tr("Better on"),
-          Say::tr("%1 of %2 unseen stretches").arg(cause.gain.blocksBetter).arg(cause.gain.blocks));
+          Say::tr("%1 of %2 held-out segments").arg(cause.gain.blocksBetter).arg(cause.gain.blocks));
       add(Say::tr("Explained"),
           Say::tr("%1 % (95 %: %2 to %3 %)")
               .arg(numberText(100 * cause.gain.explainedFraction, 0), numberText(100 * cause.gain.lower, 0),
                    numberText(100 * cause.gain.upper, 0)),
-          Say::tr("Share of the squared error that goes away on unseen stretches"));
+          Say::tr("Share of the squared error that goes away on held-out segments"));
       add(Say::tr("Torque"), QStringLiteral("%1 → %2 N m")
                                  .arg(numberText(cause.gain.torqueBefore, 4), numberText(cause.gain.torqueAfter, 4)));
     }
@@ -189,7 +189,7 @@ void addButtons(QVBoxLayout* column, const DiagnosedCause& cause, const CardStat
     row->addWidget(new LightIcon(Light::measured, 18, parent));
     row->addWidget(styledLabel(Say::tr("Applied"), "captionBold", parent));
     row->addStretch(1);
-    auto* undo = makeButton(Say::tr("Take back"), "plainButton", parent);
+    auto* undo = makeButton(Say::tr("Undo"), "plainButton", parent);
     undo->setProperty("cause", QString::fromStdString(cause.id));
     undo->setToolTip(Say::tr("The payload is estimated without this correction again"));
     QObject::connect(undo, &QPushButton::clicked, parent, [actions, id = cause.id] { actions.undo(id); });
@@ -204,11 +204,10 @@ void addButtons(QVBoxLayout* column, const DiagnosedCause& cause, const CardStat
     row->addWidget(apply, state.next ? 1 : 0);
     if (!state.next) row->addStretch(1);
   } else {
-    row->addWidget(
-        wrappedLabel(state.leftOut ? Say::tr("These stretches are left out already; the step Mark shows them.")
-                                   : Say::tr("Heft allows for it already; the cure is on the rig."),
-                     "caption", parent),
-        1);
+    row->addWidget(wrappedLabel(state.leftOut ? Say::tr("These segments are already excluded (see Mark).")
+                                              : Say::tr("Already compensated; fix it on the robot."),
+                                "caption", parent),
+                   1);
   }
   auto* more = makeButton(Say::tr("Details"), state.next && !state.applied ? "secondButton" : "plainButton", parent);
   more->setCheckable(true);
@@ -407,8 +406,8 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
     chart->setChart(errorChart(report, cause), true);
     chart->setFixedHeight(122);
     chart->setProperty("role", "unseen");
-    chart->setAccessibleName(Say::tr("Error on an unseen stretch, before and after"));
-    chart->setToolTip(Say::tr("The model was fitted without this stretch. Grey: twice the sensor’s noise."));
+    chart->setAccessibleName(Say::tr("Error on an held-out segment, before and after"));
+    chart->setToolTip(Say::tr("The model was fitted without this segment. Grey: twice the sensor’s noise."));
     card.layout->addWidget(chart);
   }
   if (cause.gain.forceBefore > 0.0) {
@@ -431,14 +430,14 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
     row->setSpacing(8);
     row->addWidget(new LightIcon(Light::look, 18, card.frame), 0, Qt::AlignTop);
     row->addWidget(
-        wrappedLabel(Say::tr("It fits the recording, but did not help on stretches that were kept aside. Apply it only "
+        wrappedLabel(Say::tr("It fits the recording, but did not help on segments that were kept aside. Apply it only "
                              "if what you find on the rig confirms it."),
                      "body", card.frame),
         1);
     card.layout->addLayout(row);
   }
   if (!state.applied) {
-    QLabel* check = boldFirst(Say::tr("Check on the rig:"), checkOf(cause, report), card.frame);
+    QLabel* check = boldFirst(Say::tr("Check on the robot:"), checkOf(cause, report), card.frame);
     card.layout->addWidget(check);
     card.layout->addWidget(
         boldFirst(strength.word.left(1).toUpper() + strength.word.mid(1) + ":", strength.meaning, card.frame));
@@ -492,7 +491,7 @@ QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause,
     QObject::connect(show, &QPushButton::clicked, card.frame, [actions, id = cause.id] { actions.showMotion(id); });
     buttons->addWidget(show);
   }
-  auto* record = makeButton(Say::tr("Record it"), "recordIt", card.frame);
+  auto* record = makeButton(Say::tr("Record this motion"), "recordIt", card.frame);
   record->setToolTip(Say::tr("Leads to Record; what to do stays in view there"));
   QObject::connect(record, &QPushButton::clicked, card.frame, [actions, id = cause.id] { actions.record(id); });
   buttons->addWidget(record);
@@ -571,7 +570,7 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
   }
   auto* row = new QHBoxLayout;
   row->addWidget(boldFirst(Say::tr("What helps:"), helps, card.frame), 1);
-  auto* record = makeButton(Say::tr("Record it"), "plainButton", card.frame);
+  auto* record = makeButton(Say::tr("Record this motion"), "plainButton", card.frame);
   QObject::connect(record, &QPushButton::clicked, card.frame, [actions] { actions.record({}); });
   row->addWidget(record);
   card.layout->addLayout(row);
@@ -582,7 +581,7 @@ QWidget* makeCleanCard(const DiagnosisReport& report, QWidget* parent) {
   const Card card = makeCard("card", parent);
   card.layout->addLayout(
       tagRow(makeVerdictTag(Say::tr("Model fits"), Light::measured, false, card.frame), {}, {}, card.frame));
-  card.layout->addWidget(wrappedLabel(Say::tr("Only the sensor’s noise is left."), "cardTitle", card.frame));
+  card.layout->addWidget(wrappedLabel(Say::tr("The remaining error is sensor noise."), "cardTitle", card.frame));
   card.layout->addWidget(wrappedLabel(Say::tr("Error %1, noise floor %2; torque %3 N m.")
                                           .arg(newtonText(report.baseline.force), newtonText(report.noise.force),
                                                numberText(report.baseline.torque, 4)),

@@ -297,7 +297,7 @@ Chart DifferencePane::frequencyChart(bool torque) const {
   chart.xTitle = tr("Frequency [Hz]");
   chart.logX = chart.logY = true;
   addNoise(chart, *report_, spectrum, torque);
-  chart.nothing = tr("No stretch is long enough to tell frequencies.");
+  chart.nothing = tr("No segment is long enough to tell frequencies.");
   for (const bool after : {false, true}) {
     if (after && secret_) continue;
     QVector<QPointF> points;
@@ -395,10 +395,9 @@ void DifferencePane::refresh() {
   if (!secret_) legend += line.arg(t.accent.name(), QStringLiteral("━━ ") + tr("with the cause corrected"));
   const QString words[] = {
       legend + tr("· grey: the sensor’s noise, ±2 σ"),
-      isNoiseOnly(report_.get())
-          ? tr("Grey: what the verdict takes for the sensor’s noise, slow noise included.")
-          : tr("Grey: the level of the sensor’s fast noise. Slow noise may lie a few times higher; what rises far "
-               "above is none."),
+      isNoiseOnly(report_.get()) ? tr("Grey: what the verdict takes for the sensor’s noise, slow noise included.")
+                                 : tr("Grey: the level of the sensor’s fast noise. Low-frequency noise can be several "
+                                      "times higher; peaks far above the band are not noise."),
       tr("A sloped or curved cloud means that the difference depends on this quantity. Both pictures have one scale; "
          "click on a dot to go to its time.")};
   says_->setText(words[static_cast<int>(view_)]);

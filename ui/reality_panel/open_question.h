@@ -8,7 +8,7 @@ namespace heft {
 /// Of the shown recording, by its reality check; empty while there is none, or all is applied.
 OpenQuestion openQuestion(Workspace& workspace);
 
-/// What the user stated, else what the shown recording's meta file states.
+/// What the user stated, else what the shown recording's setup file states.
 KnownPayload knownPayload(const Workspace& workspace);
 
 }  // namespace heft

@@ -65,11 +65,11 @@ void addHint(QVBoxLayout* column, QWidget* parent, const std::string& truth, con
   hint.layout->addWidget(styledLabel(found.hinted ? PracticeWords::tr("Hint") : PracticeWords::tr("How to look"),
                                      "sectionTitle", hint.frame));
   hint.layout->addWidget(wrappedLabel(
-      found.hinted
-          ? looksOf(truth)
-          : PracticeWords::tr("When is the difference large: at fast moves, at some places, after a moment, all the "
-                              "time? Does it jump, drift or ring? The views below the arm show it by frequency and "
-                              "against the motion."),
+      found.hinted ? looksOf(truth)
+                   : PracticeWords::tr(
+                         "When is the residual large – during fast motion, at certain positions, from some time on, "
+                         "always? Does it jump, drift or oscillate? The views below the arm show it by frequency and "
+                         "against the motion."),
       "body", hint.frame));
   if (!found.hinted) {
     auto* ask = new QPushButton(PracticeWords::tr("Give me a hint"), hint.frame);
@@ -124,8 +124,8 @@ void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth,
     card.layout->addWidget(wrappedLabel(
         PracticeWords::tr("Your guess, “%1”, would look like this: %2").arg(titleOf(guess), looksOf(guess)), "caption",
         card.frame));
-    card.layout->addWidget(wrappedLabel(PracticeWords::tr("To tell them apart on a real rig: %1").arg(decidesOf(truth)),
-                                        "caption", card.frame));
+    card.layout->addWidget(wrappedLabel(
+        PracticeWords::tr("How to tell them apart on a real robot: %1").arg(decidesOf(truth)), "caption", card.frame));
   }
   auto* points = wrappedLabel(PracticeWords::tr("Found at once: %1 of %2. With a hint or at the second try: %3.")
                                   .arg(score.first)
@@ -134,7 +134,7 @@ void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth,
                               "caption", card.frame);
   points->setProperty("role", "score");
   card.layout->addWidget(points);
-  auto* next = new QPushButton(PracticeWords::tr("Another one"), card.frame);
+  auto* next = new QPushButton(PracticeWords::tr("Next exercise"), card.frame);
   next->setObjectName("anotherRiddle");
   QObject::connect(next, &QPushButton::clicked, parent, [another] { another(); });
   card.layout->addWidget(next, 0, Qt::AlignLeft);

@@ -123,7 +123,7 @@ QWidget* makeReadingCard(const DiagnosisReport& report, const DiagnosedCause& ca
   card.frame->setProperty("cause", QString::fromStdString(cause.id));
   card.frame->setProperty("role", "reading");
   card.layout->addWidget(makeVerdictTag(mistake.tied ? ReadingWords::tr("Several readings possible")
-                                                     : ReadingWords::tr("Not what the meta file says"),
+                                                     : ReadingWords::tr("Not what the setup file says"),
                                         mistake.tied ? Light::twoCauses : Light::look, false, card.frame),
                          0, Qt::AlignLeft);
   QLabel* sentence = wrappedLabel(

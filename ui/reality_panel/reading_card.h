@@ -1,5 +1,5 @@
 #pragma once
-// The card that comes before all causes: the numbers do not mean what the meta file says.
+// The card that comes before all causes: the numbers do not mean what the setup file says.
 #include <memory>
 #include <optional>
 

@@ -28,9 +28,8 @@ struct Words {
 VerdictText verdictText(const DiagnosisReport& report, int applied) {
   const int total = static_cast<int>(report.causes.size());
   const int open = static_cast<int>(std::count_if(report.causes.begin(), report.causes.end(), isTied));
-  const QString where = Words::tr("This is where the simulation differs from your data.");
-  if (report.verdict == Verdict::clean)
-    return {Words::tr("The model fits"), Words::tr("Nothing in your data calls for a correction.")};
+  const QString where = Words::tr("Differences between simulation and measurement:");
+  if (report.verdict == Verdict::clean) return {Words::tr("The model fits"), Words::tr("No correction needed.")};
   if (report.verdict == Verdict::unexplained)
     return {total == 0 ? Words::tr("Something unknown") : Words::tr("%n cause(s) found, something is left", "", total),
             where};
@@ -84,7 +83,7 @@ void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& repo
 
 namespace {
 
-/// A key of the meta file in the words of the dialog Robot and sensor; the key itself where that has no words for it.
+/// A key of the setup file in the words of the dialog Robot and sensor; the key itself where that has no words for it.
 QString metaKeyWords(const QString& key) {
   const std::pair<const char*, QString> words[] = {
       {"wrench_axes", Words::tr("Force and torque along the axes of")},
@@ -164,10 +163,10 @@ void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport
     QObject::connect(open, &QPushButton::clicked, parent, [edit] { edit(); });
     row->addWidget(open);
   }
-  auto* button = new QPushButton(Words::tr("Save as a meta file …"), card.frame);
+  auto* button = new QPushButton(Words::tr("Save as a setup file …"), card.frame);
   button->setObjectName("saveMeta");
   button->setToolTip(
-      Words::tr("Writes a copy of the meta file with these entries; later recordings then start out right."));
+      Words::tr("Writes a copy of the setup file with these entries; later recordings then start out right."));
   QObject::connect(button, &QPushButton::clicked, parent, [save] { save(); });
   row->addWidget(button);
   row->addStretch(1);

@@ -1,5 +1,5 @@
 #pragma once
-// The lower half of the reality check's page: what the numbers become, the meta file, another recording, what was
+// The lower half of the reality check's page: what the numbers become, the setup file, another recording, what was
 // looked for and what could not have been seen.
 #include <QString>
 #include <QStringList>
@@ -20,7 +20,7 @@ VerdictText verdictText(const DiagnosisReport& report, int applied);
 
 /// `applied`: how many causes are.
 void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, int applied);
-/// Only where the diagnosis says that the meta file is wrong.
+/// Only where the diagnosis says that the setup file is wrong.
 void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, bool details,
                      const std::function<void()>& save, const std::function<void()>& edit);
 /// `names`: other recordings that are open.

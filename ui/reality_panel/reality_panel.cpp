@@ -147,22 +147,22 @@ bool RealityPanel::riddle() const {
 
 StepState RealityPanel::state() const {
   using P = StepState::Progress;
-  if (!workspace().opened()) return {P::later, Light::measured, tr("after recording")};
+  if (!workspace().opened()) return {P::later, Light::measured, tr("needs a recording")};
   if (riddle()) return {P::ready, Light::measured, tr("what is wrong?")};
   if (jobs_.running()) return {P::ready, Light::measured, tr("looking …")};
   const int count = static_cast<int>(workspace().corrections().causes.size());
   if (!found()) {
     if (count > 0) return {P::done, Light::measured, tr("%n correction(s) applied", "", count)};
-    return {P::ready, Light::measured, tr("not looked yet")};
+    return {P::ready, Light::measured, tr("not run yet")};
   }
   const DiagnosisReport& report = *found()->report;
   const std::vector<Segment> segments = workspace().segments();
   const auto leftOut = static_cast<std::size_t>(std::count_if(
       report.causes.begin(), report.causes.end(), [&](const auto& cause) { return leftOutAlready(cause, segments); }));
   const int toApply = static_cast<int>(openCauses(workspace()).causes.size());
-  if (outdated()) return {P::ready, Light::measured, tr("look again")};
+  if (outdated()) return {P::ready, Light::measured, tr("out of date, run again")};
   if (toApply > 0) return {P::done, Light::look, tr("%n cause(s) to apply", "", toApply)};
-  if (report.verdict == Verdict::unexplained) return {P::done, Light::unknown, tr("something unknown")};
+  if (report.verdict == Verdict::unexplained) return {P::done, Light::unknown, tr("unexplained error")};
   if (report.verdict == Verdict::ambiguous && count == 0) return {P::done, Light::twoCauses, tr("two causes possible")};
   if (count > 0) return {P::done, Light::measured, tr("%n correction(s) applied", "", count)};
   if (report.verdict == Verdict::explained && leftOut == report.causes.size())

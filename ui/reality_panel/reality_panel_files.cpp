@@ -1,4 +1,4 @@
-// Files that the reality check writes: the corrected meta file and the report of the session.
+// Files that the reality check writes: the corrected setup file and the report of the session.
 #include <QFileDialog>
 #include <QFileInfo>
 #include <nlohmann/json.hpp>
@@ -16,10 +16,10 @@ namespace heft {
 
 Result<bool> RealityPanel::writeMeta(const QString& file, bool replace) {
   const auto opened = workspace().opened();
-  if (!opened || !found()) return refusal(tr("There is no reality check yet that could correct a meta file."));
+  if (!opened || !found()) return refusal(tr("There is no reality check yet that could correct a setup file."));
   const nlohmann::json changes = found()->report->metaChanges();
-  if (changes.empty()) return refusal(tr("The reality check proposes no change of the meta file."));
-  if (!replace && QFileInfo::exists(file)) return refusal(tr("%1 exists already and was not replaced.").arg(file));
+  if (changes.empty()) return refusal(tr("The reality check proposes no change of the setup file."));
+  if (!replace && QFileInfo::exists(file)) return refusal(tr("%1 already exists and was not overwritten.").arg(file));
   const auto meta = mergedMeta(metaFileOf(opened->path.toStdString()), changes);
   if (!meta) return meta.error();
   return writeTextFile(file.toStdString(), meta->dump(2) + "\n");
@@ -30,8 +30,8 @@ void RealityPanel::saveMeta() {
   if (!opened) return;
   const QFileInfo info(opened->path);
   const QString file = QFileDialog::getSaveFileName(
-      this, tr("Save the corrected meta file"),
-      info.absolutePath() + "/" + info.completeBaseName() + "-corrected.meta.json", tr("Meta files (*.meta.json)"));
+      this, tr("Save the corrected setup file"),
+      info.absolutePath() + "/" + info.completeBaseName() + "-corrected.meta.json", tr("Setup files (*.meta.json)"));
   if (file.isEmpty()) return;
   const auto written = writeMeta(file, true);
   parts().say(written ? Severity::info : Severity::error,

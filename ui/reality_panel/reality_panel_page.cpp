@@ -116,7 +116,7 @@ void RealityPanel::refresh() {
                   : count > 0         ? tr("%n correction(s) of an earlier check are part of the result.", "", count)
                                       : tr("Heft looks for what the model of a rigid tool cannot explain."))
         ->addStretch(1);
-    page()->setMainButton(tr("Look for causes"), [this] { diagnose(); });
+    page()->setMainButton(tr("Run reality check"), [this] { diagnose(); });
   } else {
     showReport(*found());
     if (!isOfPoses()) page()->setSecondButton(tr("What if …?"), [this] { whatIf_->setOn(true); });
@@ -261,7 +261,7 @@ void RealityPanel::showReport(const Found& found) {
   addNotSeen(column, content, report, details_);
   column->addStretch(1);
   if (outdated()) {
-    page()->setMainButton(tr("Look again"), [this] { diagnose(); });
+    page()->setMainButton(tr("Run again"), [this] { diagnose(); });
   } else if (!someNext) {
     page()->setMainButton(tr("Go on to Export"), [this] { parts().goTo(Step::exportFile); });
   } else {

@@ -34,7 +34,7 @@ LiveBoard::LiveBoard(LiveRun* run, QWidget* parent) : QWidget(parent), run_(run)
   auto* change = new QPushButton(run_->poses() ? tr("Free motion") : tr("Standing poses"), this);
   change->setObjectName("posesButton");
   change->setToolTip(run_->poses() ? tr("Starts again; mass, centre and inertia from free motion")
-                                   : tr("Starts again; mass and centre of mass only, from poses held still"));
+                                   : tr("Starts a new recording (mass and centre of mass only)"));
   connect(change, &QPushButton::clicked, this, [this] { emit posesWanted(!run_->poses()); });
   other->addWidget(change);
   column->addLayout(other);
@@ -116,7 +116,7 @@ void LiveBoard::buildPoses(QVBoxLayout* column) {
   column->addWidget(lights_);
   lastPose_ = wrappedLabel({}, "caption", this);
   column->addWidget(lastPose_);
-  removeLast_ = new QPushButton(tr("Take the last pose away"), this);
+  removeLast_ = new QPushButton(tr("Remove last pose"), this);
   removeLast_->setObjectName("linkButton");
   connect(removeLast_, &QPushButton::clicked, this,
           [this] { run_->removePose(static_cast<int>(run_->view().poses.size()) - 1); });
@@ -132,10 +132,10 @@ void LiveBoard::buildPoses(QVBoxLayout* column) {
 void LiveBoard::buildVirtual(QVBoxLayout* column) {
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
-  wander_ = new QPushButton(tr("Move by itself"), this);
+  wander_ = new QPushButton(tr("Move automatically"), this);
   wander_->setObjectName("wanderButton");
   wander_->setCheckable(true);
-  wander_->setToolTip(tr("The virtual arm wanders about, as if somebody guided it"));
+  wander_->setToolTip(tr("The virtual arm moves around as if guided by hand"));
   connect(wander_, &QPushButton::toggled, this, [this](bool on) {
     if (!run_->virtualArm()) return;
     run_->virtualArm()->guide([on](GuidedArm& arm) { on ? arm.wander() : arm.letGo(); });
@@ -143,7 +143,7 @@ void LiveBoard::buildVirtual(QVBoxLayout* column) {
   row->addWidget(wander_, 1);
   another_ = new QPushButton(tr("Change the tool"), this);
   another_->setObjectName("anotherToolButton");
-  another_->setToolTip(tr("Another hidden tool is screwed on; Heft has to notice"));
+  another_->setToolTip(tr("Swaps the hidden tool; Heft should notice"));
   connect(another_, &QPushButton::clicked, this, &LiveBoard::anotherToolWanted);
   row->addWidget(another_, 1);
   if (run_->poses()) {
@@ -176,8 +176,7 @@ void LiveBoard::refresh() {
   }
   lines << tr("%1 Hz, %2").arg(numberText(run_->view().rateHz, 0), countersText(status));
   if (status.unmatched > 0)
-    lines << tr("%n part(s) without a partner", "",
-                static_cast<int>(std::min<std::uint64_t>(status.unmatched, 2000000000)));
+    lines << tr("%n unmatched sample(s)", "", static_cast<int>(std::min<std::uint64_t>(status.unmatched, 2000000000)));
   if (!status.recordingProblem.empty()) lines << QString::fromStdString(status.recordingProblem);
   sources_->setText(lines.join('\n'));
 }
@@ -197,10 +196,10 @@ void LiveBoard::refreshCard() {
                    : run_->advice() && !run_->advice()->needed ? tr("YOU CAN STOP")
                                                                : tr("DO THIS NOW"));
   if (gone != status.sources.end()) {
-    sentence_->setText(view.any ? tr("The connection is lost. Heft tries again by itself.")
-                                : tr("Nothing answers yet. Heft goes on trying."));
-    gain_->setText(view.any ? tr("What came so far is kept. Look at cable, network and the program at the other end.")
-                            : tr("Is it switched on, and is its address right?"));
+    sentence_->setText(view.any ? tr("Connection lost. Reconnecting automatically…")
+                                : tr("No response yet. Still trying…"));
+    gain_->setText(view.any ? tr("Data received so far is kept. Check the cable, the network and the sending program.")
+                            : tr("Check that it is switched on and the address is correct."));
     return;
   }
   if (view.conventions) {
@@ -220,11 +219,11 @@ void LiveBoard::refreshCard() {
       gain_->setText(view.poseResult.known
                          ? tr("After it: mass ± %1 g, centre of mass ± %2 mm.")
                                .arg(numberText(1960 * view.next->massStd, 0), numberText(1960 * view.next->comStd, 1))
-                         : tr("One still second is enough."));
+                         : tr("One second is enough."));
       if (show_) show_->setVisible(true);
     } else {
       sentence_->setText(tr("Tilt the tool another way, and hold it still"));
-      gain_->setText(tr("One still second is enough."));
+      gain_->setText(tr("One second is enough."));
     }
     return;
   }
@@ -233,7 +232,7 @@ void LiveBoard::refreshCard() {
     sentence_->setText(run_->outOfRoom() ? tr("Bring the arm into the middle of its range")
                        : view.q          ? tr("Move the tool, in all directions")
                                          : tr("Tilt the tool about all its axes, then turn it faster"));
-    gain_->setText(run_->outOfRoom() ? tr("From here no motion keeps all the joints' limits.") : QString());
+    gain_->setText(run_->outOfRoom() ? tr("No motion is possible from here within the joint limits.") : QString());
     return;
   }
   sentence_->setText(coachSentence(*advice));
@@ -270,9 +269,9 @@ void LiveBoard::refreshKnown() {
   for (std::size_t k = 0; k < 3; ++k) known_[k]->show(texts[k], times, widths[k]);
   QString text;
   if (view.state.touch == Touch::contact) {
-    text = tr("Something touches the tool now. This stretch is left out.");
+    text = tr("Something touches the tool now. This segment is left out.");
   } else if (!view.touched.empty()) {
-    text = tr("%n stretch(es) look touched. You can check them in Mark.", "", static_cast<int>(view.touched.size()));
+    text = tr("%n segment(es) look touched. You can check them in Mark.", "", static_cast<int>(view.touched.size()));
   }
   if (view.state.toolChanged) {
     text = tr("The tool was changed at %1 s. What stands above is of the new one.")

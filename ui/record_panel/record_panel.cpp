@@ -333,7 +333,7 @@ bool RecordPanel::mayEnd() {
     QMessageBox box(QMessageBox::NoIcon, tr("Heft Studio"), tr("A recording is under way. Stop it?"),
                     QMessageBox::NoButton, this);
     box.setInformativeText(tr("What has come so far is kept in %1.").arg(recordedFolder()));
-    auto* stop = box.addButton(tr("Stop and keep"), QMessageBox::AcceptRole);
+    auto* stop = box.addButton(tr("Stop and save"), QMessageBox::AcceptRole);
     auto* goOn = box.addButton(tr("Go on recording"), QMessageBox::RejectRole);
     box.setDefaultButton(goOn);
     box.exec();

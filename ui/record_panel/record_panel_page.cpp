@@ -33,13 +33,13 @@ void RecordPanel::refresh() {
   form_ = nullptr;
   const auto opened = workspace().opened();
   QVBoxLayout* column = nullptr;
-  const QString forFiles =
-                    tr("Open a recording of the arm moving with its tool. Heft finds mass, centre of mass and "
-                       "inertia, and tells how sure each number is."),
-                forLive = tr("Heft only listens: it moves nothing and changes nothing."),
-                forVirtual =
-                    tr("The virtual arm follows your mouse as a hand-guided one follows your hand. Find out "
-                       "what its hidden tool weighs.");
+  const QString
+      forFiles =
+          tr("Open a recording of the arm moving with its tool. Heft estimates mass, centre of mass and inertia, and "
+             "how certain each value is."),
+      forLive = tr("Heft only listens. It never moves the robot or changes settings."),
+      forVirtual =
+          tr("Drag the virtual arm with the mouse as if guiding it by hand, and find out what its hidden tool weighs.");
   switch (way_) {
     case Way::files:
       column = page()->restart(tr("What does your tool weigh?"), forFiles);
@@ -94,11 +94,11 @@ void RecordPanel::addWays(QVBoxLayout* column) {
 void RecordPanel::addFiles(QVBoxLayout* column) {
   QWidget* content = page()->content();
   const Card card = makeCard("card", content);
-  card.layout->addWidget(styledLabel(tr("What a recording holds"), "sectionTitle", content));
-  card.layout->addWidget(wrappedLabel(tr("Time, joint angles or sensor poses, and force and torque: a CSV, a ROS bag, "
-                                         "MCAP or HDF5. A file NAME.meta.json beside it may name the robot and how the "
-                                         "sensor is mounted."),
-                                      "caption", content));
+  card.layout->addWidget(styledLabel(tr("What a recording contains"), "sectionTitle", content));
+  card.layout->addWidget(wrappedLabel(
+      tr("Time, joint angles or sensor poses, and force and torque: a CSV, a ROS bag, "
+         "MCAP or HDF5. A file NAME.meta.json in the same folder can specify the robot and the sensor mounting."),
+      "caption", content));
   card.layout->addWidget(wrappedLabel(tr("You can also drop a file anywhere in this window."), "caption", content));
   column->addWidget(card.frame);
   addOpened(column);
@@ -163,8 +163,8 @@ void RecordPanel::addVirtual(QVBoxLayout* column) {
   card.layout->addWidget(styledLabel(tr("How to guide it"), "sectionTitle", content));
   for (const QString& line :
        {tr("Drag the tool in the picture: the arm follows."), tr("Drag one of the three rings: the tool turns."),
-        tr("Or use the arrow keys and Page Up, Page Down; with Shift they turn."),
-        tr("The coach says what helps most. Let it be shown to you if you like.")})
+        tr("Or use the arrow keys and Page Up/Down; hold Shift to rotate."),
+        tr("The coach suggests the most useful motion. Click \"Show me\" to see it.")})
     card.layout->addWidget(wrappedLabel(line, "caption", content));
   column->addWidget(card.frame);
   page()->setSecondButton(tr("Standing poses"), [this] { startVirtual(tool_, true, true); });
@@ -203,10 +203,12 @@ void RecordPanel::addRecent(QVBoxLayout* column) {
 void RecordPanel::showLive() {
   const bool poses = run_->poses();
   QVBoxLayout* column =
-      poses ? page()->restart(tr("Hold the tool still, in several tilts"),
-                              tr("Heft takes a pose by itself after one still second. Touch nothing with the tool."))
-            : page()->restart(tr("Move the arm. Heft listens."),
-                              tr("Guide it as you always do. Touch nothing with the tool."));
+      poses
+          ? page()->restart(
+                tr("Hold the tool still in several orientations"),
+                tr("Heft captures a pose automatically after one second without motion. Touch nothing with the tool."))
+          : page()->restart(tr("Move the arm – Heft is recording"),
+                            tr("Guide it as usual. Don’t let the tool touch anything."));
   board_ = new LiveBoard(run_, page()->content());
   connect(board_, &LiveBoard::posesWanted, this, &RecordPanel::changeWay);
   connect(board_, &LiveBoard::anotherToolWanted, this, &RecordPanel::changeTool);
@@ -218,7 +220,7 @@ void RecordPanel::showLive() {
     showPause();
   }
   page()->setMainButton(
-      tr("Stop and keep"), [this] { stopAndKeep(); }, "check");
+      tr("Stop and save"), [this] { stopAndKeep(); }, "check");
   page()->setMainEnabled(false, tr("Nothing has come yet."));
 }
 

@@ -40,7 +40,7 @@ void RecordingList::addRow(int index) {
   const auto report = workspace_->reportAt(index);
   QString text = workspace_->nameOf(index);
   if (!opened) {
-    text = tr("%1, not read").arg(text);
+    text = tr("%1 (could not be read)").arg(text);
   } else if (report && workspace_->joins() && !isJoined(*report)) {
     text = tr("%1, by itself %2").arg(text, massText(report->payload.mass, 3));
   } else if (report) {

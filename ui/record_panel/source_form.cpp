@@ -35,7 +35,7 @@ SourceForm::SourceForm(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(10);
-  column->addWidget(styledLabel(tr("Who measures force and torque?"), "sectionTitle", this));
+  column->addWidget(styledLabel(tr("Where does the force/torque data come from?"), "sectionTitle", this));
   auto* grid = new QGridLayout;
   grid->setSpacing(8);
   auto* group = new QButtonGroup(this);
@@ -103,10 +103,10 @@ void SourceForm::rebuild() {
        tr("As its web page has it. Heft asks it for its data and changes nothing in it.")},
       {tr("Address of the robot, for instance 192.168.0.10"),
        tr("An e-Series of Universal Robots with its own force sensor. Heft reads and writes nothing to it.")},
-      {tr("Address of the Foxglove bridge; empty: localhost:8765"), tr("Computer and port of foxglove_bridge")},
+      {tr("Foxglove bridge address (default: localhost:8765)"), tr("Computer and port of foxglove_bridge")},
       {tr("Address of rosbridge; empty: localhost:9090"), tr("Computer and port of rosbridge_server")},
-      {tr("Port that your program sends to; empty: 9870"),
-       tr("Datagrams with a JSON object each: time [s], q1 … q7 [rad], fx fy fz [N], tx ty tz [N m]. Only from this "
+      {tr("UDP port (default: 9870)"),
+       tr("One JSON object per datagram: time [s], q1 … q7 [rad], fx fy fz [N], tx ty tz [N m]. Only from this "
           "computer.")},
       {tr("Recording to play"), tr("Any recording that Heft opens")}};
   const Place& place = places[static_cast<int>(kind_)];
@@ -132,7 +132,7 @@ void SourceForm::rebuild() {
   if (kind_ == Kind::jsonUdp) column->addWidget(wrappedLabel(place.tip, "caption", fields_));
   if (kind_ == Kind::netFt) {
     column->addSpacing(4);
-    column->addWidget(styledLabel(tr("Who tells how the arm stands?"), "sectionTitle", fields_));
+    column->addWidget(styledLabel(tr("Where do the joint angles come from?"), "sectionTitle", fields_));
     auto* choices = new Segments({tr("Foxglove"), tr("rosbridge"), tr("JSON, UDP"), tr("UR")}, {}, fields_);
     static constexpr Kind kKinds[] = {Kind::foxglove, Kind::rosbridge, Kind::jsonUdp, Kind::ur};
     choices->setChosen(static_cast<int>(std::find(std::begin(kKinds), std::end(kKinds), joints_) - std::begin(kKinds)));
@@ -150,7 +150,7 @@ void SourceForm::rebuild() {
     column->addWidget(jointsAddress_);
   }
   column->addSpacing(4);
-  rig_ = addField(column, tr("Rig file (NAME.meta.json), if you have one"), "rigFile",
+  rig_ = addField(column, tr("Setup file (NAME.meta.json), optional"), "rigFile",
                   tr("Says which robot it is, how the sensor is mounted and which sign its forces have"));
   rig_->setText(lastRig_);
   addWithChooser(rig_, tr("Choose a rig file"), tr("Rig files (*.json)"));

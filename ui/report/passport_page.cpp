@@ -81,7 +81,8 @@ QString provedPart(const json& passport) {
 
 QString causesPart(const json& passport) {
   QString out = paper::heading(PassportWords::tr("Causes of misfit"));
-  if (!passport["looked_for_causes"].get<bool>()) return out + paper::paragraph(PassportWords::tr("The reality check was not run."));
+  if (!passport["looked_for_causes"].get<bool>())
+    return out + paper::paragraph(PassportWords::tr("The reality check was not run."));
   if (passport["causes"].empty()) out += paper::paragraph(PassportWords::tr("None was found."));
   for (const json& cause : passport["causes"])
     out += paper::paragraph(textAt(cause, "sentence") + ' ' +
@@ -174,7 +175,7 @@ Result<bool> writePassport(const PassportParts& parts, const QString& file, cons
   if (!replace)
     for (const QString& each : {pdf, jsonFile})
       if (QFileInfo::exists(each))
-        return Error{PassportWords::tr("%1 exists already and was not replaced.").arg(each).toStdString()};
+        return Error{PassportWords::tr("%1 already exists and was not overwritten.").arg(each).toStdString()};
   auto passport = passportOf(contentOf(parts), *report);
   if (!passport) return passport.error();
   if (!before.isEmpty()) {

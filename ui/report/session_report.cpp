@@ -247,7 +247,7 @@ Result<bool> writeSessionReport(const ReportParts& parts, const QString& file, b
   if (!pdf && !file.endsWith(QLatin1String(".html"), Qt::CaseInsensitive))
     return Error{Words::tr("%1: a report ends in .html or .pdf.").arg(file).toStdString()};
   if (!replace && QFileInfo::exists(file))
-    return Error{Words::tr("%1 exists already and was not replaced.").arg(file).toStdString()};
+    return Error{Words::tr("%1 already exists and was not overwritten.").arg(file).toStdString()};
   const QString html = sessionReportHtml(parts);
   if (!pdf) return writeTextFile(file.toStdString(), html.toStdString());
   return writeTextFile(file.toStdString(), paper::pdf(html, Words::tr("Heft report")).toStdString());

@@ -22,7 +22,7 @@ MethodPane::MethodPane(QWidget* parent) : QWidget(parent) {
   close->setObjectName("closeMethods");
   connect(close, &QToolButton::clicked, this, &MethodPane::closeWanted);
   row->addWidget(close);
-  working_ = styledLabel(tr("Every method weighs the tool in turn …"), "caption", this);
+  working_ = styledLabel(tr("Running all methods…"), "caption", this);
   working_->setContentsMargins(12, 12, 12, 12);
   column->addWidget(working_, 0, Qt::AlignTop);
   table_ = new QTableWidget(this);

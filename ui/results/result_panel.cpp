@@ -43,7 +43,7 @@ bool anyDoubted(const std::vector<NumberText>& numbers) {
 }
 
 QString tagText(Source source, bool doubtful) {
-  return doubtful && source == Source::data ? ResultPanel::tr("measured, check first") : sourceWord(source);
+  return doubtful && source == Source::data ? ResultPanel::tr("measured – see warnings") : sourceWord(source);
 }
 
 /// Where there is little room.
@@ -117,7 +117,7 @@ void ResultPanel::showResult(const ResultText& result) {
     if (!calm.empty()) addFindings(column, calm);
   } else if (!calm.empty()) {
     column->addWidget(wrappedLabel(
-        calm.size() == 1 ? tr("One more note under Details.") : tr("%1 more notes under Details.").arg(calm.size()),
+        calm.size() == 1 ? tr("1 more note in Details.") : tr("%1 more notes under Details.").arg(calm.size()),
         "caption", content));
   }
   addKnown(column, result.known);
@@ -126,7 +126,7 @@ void ResultPanel::showResult(const ResultText& result) {
   setSecondButton(
       tr("All methods"), [this] { emit methodsWanted(); }, "table");
   if (result.withheld) {
-    setMainButton(tr("Look for what is wrong"), [this] { emit causeWanted(); });
+    setMainButton(tr("Run reality check"), [this] { emit causeWanted(); });
   } else {
     setMainButton(tr("Export these numbers"), [this] { emit exportWanted(); });
   }
@@ -315,7 +315,7 @@ void ResultPanel::addAdvice(QVBoxLayout* column, const QString& advice) {
   words->addWidget(styledLabel(tr("What would make it better"), "sectionTitle", content));
   words->addWidget(wrappedLabel(advice, "advice", content));
   row->addLayout(words, 1);
-  auto* record = new QPushButton(tr("Record it"), content);
+  auto* record = new QPushButton(tr("Record this motion"), content);
   record->setObjectName("smallButton");
   connect(record, &QPushButton::clicked, this, &ResultPanel::recordWanted);
   row->addWidget(record);

@@ -47,7 +47,7 @@ ResultStep::ResultStep(const StudioParts& parts)
 
 StepState ResultStep::state() const {
   using P = StepState::Progress;
-  if (!workspace().opened()) return {P::later, Light::measured, tr("after recording")};
+  if (!workspace().opened()) return {P::later, Light::measured, tr("needs a recording")};
   const auto report = workspace().report();
   if (!report) {
     return workspace().busy() ? StepState{P::later, Light::measured, tr("being weighed …")}

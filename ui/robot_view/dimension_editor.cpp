@@ -17,7 +17,7 @@ DimensionEditor::DimensionEditor(QWidget* view, Placed placed, Current current)
       field_(new QLineEdit(view)) {
   field_->setObjectName("dimensionField");
   field_->setAccessibleName(tr("Length"));
-  field_->setToolTip(tr("A length in mm, or with its unit: 64, 6.4 cm. Enter takes it, Esc leaves it as it was."));
+  field_->setToolTip(tr("A length in mm, or with its unit: 64, 6.4 cm. Enter applies, Esc cancels."));
   field_->setAlignment(Qt::AlignCenter);
   field_->hide();
   view_->installEventFilter(this);

@@ -595,8 +595,8 @@ void RobotView::updateNote() {
   QString text = stepNote_;
   if (text.isEmpty() && track_ && !track_->hasJoints()) {
     text = posed_                    ? tr("No joint angles recorded: a Panda is drawn that reaches these poses")
-           : track_->positionKnown() ? tr("This recording has no robot: the sensor is shown alone")
-                                     : tr("This recording has no position: the sensor turns in place");
+           : track_->positionKnown() ? tr("No robot in this recording: only the sensor is shown")
+                                     : tr("No position in this recording: the sensor only rotates");
   }
   note_->setText(text);
   note_->adjustSize();

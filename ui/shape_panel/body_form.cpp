@@ -99,7 +99,7 @@ PlaceForm::PlaceForm(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(6);
-  column->addWidget(wrappedLabel(tr("Middle of its near end, from the sensor’s face"), "caption", this));
+  column->addWidget(wrappedLabel(tr("Centre of the near face, relative to the sensor face"), "caption", this));
   QGridLayout* place = makeGrid(column);
   column->addWidget(wrappedLabel(tr("Tilted about the sensor’s axes"), "caption", this));
   QGridLayout* tilt = makeGrid(column);

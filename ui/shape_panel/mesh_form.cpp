@@ -137,10 +137,10 @@ void MeshForm::showMesh(const LoadedMesh& mesh) {
                finding.severity == Severity::error);
   }
   if (mesh.unusable) return;
-  auto* place = new QPushButton(tr("Put it on the sensor’s face"), this);
+  auto* place = new QPushButton(tr("Snap to sensor face"), this);
   place->setObjectName("meshPlace");
   place->setToolTip(
-      tr("Its box then begins at the sensor, in the middle. Without it, the file’s own origin is the sensor’s."));
+      tr("Centres its bounding box on the sensor face. Otherwise the file origin is placed at the sensor origin."));
   connect(place, &QPushButton::clicked, this, &MeshForm::placeWanted);
   column_->addWidget(place);
 }

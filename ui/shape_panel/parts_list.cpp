@@ -56,7 +56,7 @@ void PartsList::showParts(const Shape& shape, int selected) {
     button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     connect(button, &QPushButton::clicked, this, [this, index] { emit picked(index); });
     row->addWidget(button, 1);
-    auto* remove = new IconButton("close", tr("Take part %1 away").arg(index + 1), line);
+    auto* remove = new IconButton("close", tr("Remove part %1").arg(index + 1), line);
     remove->setObjectName(QStringLiteral("removePart_%1").arg(index));
     remove->setEnabled(shape.bodies.size() > 1);
     connect(remove, &QToolButton::clicked, this, [this, index] { emit removeWanted(index); });

@@ -68,8 +68,8 @@ void ShapePanel::rebuild() {
   place_ = nullptr;
   placeButton_ = nullptr;
   verdict_ = nullptr;
-  QVBoxLayout* column =
-      page()->restart(tr("What does your tool look like?"), tr("Pick the closest picture. It need not be perfect."));
+  QVBoxLayout* column = page()->restart(tr("What does your tool look like?"),
+                                        tr("Choose the closest shape. It doesn’t have to be exact."));
   addPictures(column);
   const bool given = choice().answer == Answer::given || pendingMesh_;
   if (given) addBodies(column);
@@ -84,9 +84,8 @@ void ShapePanel::rebuild() {
     addPlace(column);
   } else if (!given) {
     column->addSpacing(6);
-    column->addWidget(wrappedLabel(tr("A shape tells Heft how the weight is spread where the motion did not show it. "
-                                      "The result says how much each "
-                                      "number owes to it."),
+    column->addWidget(wrappedLabel(tr("The shape fills in the mass distribution where the motion doesn’t determine it. "
+                                      "The result shows how much each value depends on it."),
                                    "answer", page()->content()));
   }
   column->addStretch(1);
@@ -136,7 +135,7 @@ void ShapePanel::addPictures(QVBoxLayout* column) {
     cards_[each] = card;
     ++place;
   }
-  noPicture_ = new NoPictureCard(tr("I don’t know"), tr("Heft uses the motion alone"), content);
+  noPicture_ = new NoPictureCard(tr("I don’t know"), tr("Use the motion only"), content);
   noPicture_->setObjectName("picture_unknown");
   connect(noPicture_, &QAbstractButton::clicked, this, &ShapePanel::pickUnknown);
   grid->addWidget(noPicture_, place / 4, place % 4, 1, 4 - place % 4);
@@ -345,7 +344,7 @@ void ShapePanel::showValues() {
     };
     QString where =
         usual
-            ? tr("Where it sits: in the sensor’s middle, straight")
+            ? tr("Position: centred on the sensor, not tilted")
             : tr("Where it sits: %1, %2, %3 mm").arg(number(1e3 * at.x()), number(1e3 * at.y()), number(1e3 * at.z()));
     if (rpy.norm() >= 1e-3)
       where += tr(", tilted by %1°").arg(number(vectorFromRotation(moved.X_SB.linear()).norm() / kRadPerDegree));
@@ -375,10 +374,10 @@ void ShapePanel::showView() {
   modes_->button(0)->setEnabled(picture() != ToolPicture::mesh);
   modes_->setChosen(static_cast<int>(mode_));
   parts().view->setStepTools(given ? modes_ : nullptr);
-  parts().view->setStepNote(!given                    ? tr("Pick a picture, and the tool stands here")
+  parts().view->setStepNote(!given                    ? tr("Choose a shape to place it here")
                             : mode_ == ToolMode::size ? tr("Drag a white handle to change the size")
                             : mode_ == ToolMode::move
-                                ? tr("Drag an arrow to move the tool, its middle to move it freely")
+                                ? tr("Drag an arrow to move along an axis, the centre to move freely")
                                 : tr("Drag a ring to tilt the tool"));
   if (given) {
     Shape shown = choice().shape;

@@ -82,7 +82,7 @@ StepState ShapePanel::state() const {
   return {P::done, fits ? Light::measured : Light::look, shapeLine(now)};
 }
 
-QString ShapePanel::hint() const { return tr("Lengths in mm, measured from the sensor’s tool side · Ctrl+Z undoes"); }
+QString ShapePanel::hint() const { return tr("Lengths in mm from the sensor’s tool side · Ctrl+Z to undo"); }
 
 void ShapePanel::entered() {
   here_ = true;

@@ -143,9 +143,9 @@ ToolPicture pictureOf(const ShapeChoice& choice) {
 QString shapeLine(const ShapeChoice& choice) {
   switch (choice.answer) {
     case ShapeChoice::Answer::notGiven:
-      return ShapeText::tr("not said yet");
+      return ShapeText::tr("not specified");
     case ShapeChoice::Answer::unknown:
-      return ShapeText::tr("not known, motion alone");
+      return ShapeText::tr("none (motion only)");
     case ShapeChoice::Answer::given:
       break;
   }
@@ -164,12 +164,12 @@ QString certaintyNote(Certainty certainty, bool mesh) {
     case Certainty::rough:
       return mesh ? ShapeText::tr(
                         "Rough: the drawing is right to about 10 %, and the material may differ from part to part.")
-                  : ShapeText::tr("Rough: each length is right to about 20 %, by eye.");
+                  : ShapeText::tr("Rough: within about 20 % (by eye).");
     case Certainty::good:
-      return mesh ? ShapeText::tr("Good: this very tool, right to about 2 %.")
+      return mesh ? ShapeText::tr("Good: CAD of this tool, within about 2 %.")
                   : ShapeText::tr("Good: each length is right to about 4 %, like a ruler reading.");
     case Certainty::exact:
-      return ShapeText::tr("Exact: from its drawing, and the inside is one even material.");
+      return ShapeText::tr("Exact: from drawings, uniform material.");
   }
   return {};
 }
@@ -212,7 +212,7 @@ QString shapeProblem(const Shape& shape) {
     if (body.wall && body.kind != BodyKind::mesh) {
       const auto limit = wallLimit(body);
       if (limit && *body.wall >= *limit)
-        return ShapeText::tr("A wall of %1 leaves no hollow: it must be thinner than %2.")
+        return ShapeText::tr("A wall of %1 is too thick for this size: it must be thinner than %2.")
             .arg(millimetres(*body.wall), millimetres(*limit));
     }
     if (body.mass) known += *body.mass;

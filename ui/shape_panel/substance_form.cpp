@@ -62,7 +62,7 @@ void WeightField::take() {
   const auto mass = parseWeight(typed, unit_->currentIndex() == 1);
   if (!mass) {
     setWrong(true);
-    emit refused(tr("“%1” is no weight: type a number such as 0.8 kg or 800 g, or leave it empty.").arg(typed));
+    emit refused(tr("“%1” is not a weight. Enter e.g. 0.8 kg or 800 g, or leave it blank.").arg(typed));
     return;
   }
   if (typed.endsWith(QLatin1String("kg"), Qt::CaseInsensitive)) {

@@ -46,7 +46,7 @@ class StepPanel : public QWidget {
   /// With Below::own: a widget that the window places and the panel owns.
   virtual QWidget* ownPane() { return nullptr; }
 
-  /// What may be done here, for the line at the bottom: "Drag an edge to move it · Ctrl+Z undoes".
+  /// What may be done here, for the line at the bottom: "Drag an edge to adjust it · Ctrl+Z to undo".
   virtual QString hint() const { return {}; }
   /// What is under way in this step, in place of the open recording's facts; empty: nothing.
   virtual QString facts() const { return {}; }

@@ -33,17 +33,19 @@ Error wrong(const QString& sentence) { return Error{sentence.toStdString()}; }
 std::string ScriptRunner::help() {
   return "  open FILE ...                     recordings, or a session (.heft)\n"
          "  sample clean|hose|delay           a recording to try with, made by the simulation\n"
-         "  robot FILE                        the robot that was recorded (URDF); goes into the recording's meta file\n"
+         "  robot FILE                        the robot that was recorded (URDF); goes into the recording's setup "
+         "file\n"
          "  step NAME                         record, mark, shape, result, reality-check, export\n"
          "  estimate                          estimate again\n"
          "  compare                           all methods side by side\n"
          "  controller MASS [at X,Y,Z] | controller FILE | controller off\n"
-         "                                    what the controller is set to: kg, mm from the flange; or a payload file\n"
+         "                                    what the controller is set to: kg, mm from the flange; or a payload "
+         "file\n"
          "  diagnose                          look for causes (reality check)\n"
          "  apply CAUSE | takeback CAUSE      a correction, by the cause's name in files\n"
          "  check FILE                        the causes found, on another open recording\n"
          "  look plots|time|frequency|motion [WITNESS]\n"
-         "  meta FILE [replace]               the corrected meta file that the causes ask for\n"
+         "  meta FILE [replace]               the corrected setup file that the causes ask for\n"
          "  report FILE [replace]             of the whole session, .html or .pdf\n"
          "  whatif CAUSE SIZE ... | whatif on|off\n"
          "                                    what a fault of that size would do to the open recording\n"
@@ -65,10 +67,10 @@ std::string ScriptRunner::help() {
          "                                    the tool's passport, .pdf and .json; what changed since an earlier one\n"
          "  save FILE [replace]               save the session\n"
          "  undo | redo\n"
-         "  time SECONDS | zoom FROM TO       instant shown, stretch in the plots\n"
+         "  time SECONDS | zoom FROM TO       instant shown, segment in the plots\n"
          "  channels ID ... | channels none   further channels in the plots: q1, dq1, px, roll, speed, force ...\n"
          "  alone view|plots|off              one pane without the rest\n"
-         "  measure A B | table FILE          two cursors; the visible stretch as CSV\n"
+         "  measure A B | table FILE          two cursors; the visible segment as CSV\n"
          "  camera NAME                       whole, tool, front, side, top\n"
          "  details on|off | theme light|dark | language en|de | size WIDTHxHEIGHT\n"
          "  units WORD ...                    kg or g, mm or inch, Nm or Nmm, degrees or radians\n"
@@ -168,7 +170,7 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
   }
   if (verb == "save" && words.size() >= 2) {
     if (QFileInfo::exists(words[1]) && words.value(2) != "replace")
-      return wrong(tr("%1 exists already and was not replaced.").arg(words[1]));
+      return wrong(tr("%1 already exists and was not overwritten.").arg(words[1]));
     workspace.save(words[1]);
     return true;
   }

@@ -55,7 +55,7 @@ QString markWord(MarkLabel label) {
 MarksBar::MarksBar(TimeAxis* axis, QWidget* parent) : QWidget(parent), axis_(axis) {
   setObjectName("marksBar");
   setAccessibleName(tr("Marks"));
-  setAccessibleDescription(tr("Which stretches of the recording touched nothing"));
+  setAccessibleDescription(tr("Which segments of the recording touched nothing"));
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setFixedHeight(sizeHint().height());
@@ -295,7 +295,7 @@ void MarksBar::contextMenuEvent(QContextMenuEvent* event) {
   const Segment segment = *under;
   QMenu menu(this);
   menu.setObjectName("marksMenu");
-  menu.addAction(tr("Zoom to this stretch"), axis_, [this, segment] {
+  menu.addAction(tr("Zoom to this segment"), axis_, [this, segment] {
     const double room = 0.1 * (segment.to - segment.from);
     axis_->show(segment.from - room, segment.to + room);
   });

@@ -101,7 +101,7 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
                                                {Shown::z, tr("z")},
                                                {Shown::measured, tr("measured")},
                                                {Shown::simulated, tr("simulated")},
-                                               {Shown::difference, tr("difference, grey = noise")}};
+                                               {Shown::difference, tr("residual (grey: noise)")}};
   for (const auto& [what, text] : entries) {
     auto* entry = new LegendEntry(what, text, header);
     entry->setObjectName(QStringLiteral("legend%1").arg(static_cast<int>(what)));
@@ -115,11 +115,11 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   paint_ = new QPushButton(tr("Paint"), header);
   paint_->setObjectName("paintButton");
   paint_->setCheckable(true);
-  paint_->setToolTip(tr("Drag over the plots to mark a stretch, instead of zooming"));
+  paint_->setToolTip(tr("Drag in the plots to label a range instead of zooming"));
   paint_->hide();
   row->addWidget(paint_);
   row->addSpacing(6);
-  measure_ = new IconButton("cursors", tr("Measure between two cursors (Ctrl+click puts the second one)"), header);
+  measure_ = new IconButton("cursors", tr("Measure between two cursors (Ctrl+click sets the second)"), header);
   measure_->setObjectName("measureButton");
   measure_->setCheckable(true);
   row->addWidget(measure_);
@@ -134,13 +134,13 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   auto* alone = new IconButton("fit", tr("Plots alone, or with the rest again"), header);
   alone->setObjectName("aloneButton");  // The window listens to it.
   row->addWidget(alone);
-  auto* more = new IconButton("more", tr("Picture of the plots, table of the visible stretch"), header);
+  auto* more = new IconButton("more", tr("Picture of the plots, table of the visible segment"), header);
   more->setObjectName("plotsMoreButton");
   more->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(more);
   menu->addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setImage(grab().toImage()); });
   menu->addAction(tr("Save a picture of the plots"), this, &RecordingPane::pictureWanted);
-  menu->addAction(tr("Save the visible stretch as CSV"), this, &RecordingPane::csvWanted);
+  menu->addAction(tr("Export visible range as CSV"), this, &RecordingPane::csvWanted);
   more->setMenu(menu);
   row->addWidget(more);
   // Beside the legend and "Paint" there is little room on a small screen.

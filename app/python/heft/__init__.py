@@ -59,7 +59,7 @@ class Recording:
                     meta: Optional[Mapping[str, Any]] = None, name: str = "arrays") -> "Recording":
         """A recording from arrays of N rows, shapes and units as above, with the same checks as a file's.
 
-        `meta`: what a meta file would say, such as {"robot": "panda", "sensor": {"mount": {...}}}; its conventions are
+        `meta`: what a setup file would say, such as {"robot": "panda", "sensor": {"mount": {...}}}; its conventions are
         taken out of the numbers. Raises heft.Error that says what is wrong with which row.
         """
         text = _json.dumps({} if meta is None else dict(meta))

@@ -56,7 +56,7 @@ class Interval95:
 
 @dataclasses.dataclass(frozen=True)
 class Segment:
-    """A stretch [from_s, to_s] labelled "free", "contact" or "ignore", with the reason in words."""
+    """A segment [from_s, to_s] labelled "free", "contact" or "ignore", with the reason in words."""
 
     from_s: float
     to_s: float
@@ -129,7 +129,7 @@ class Estimate(_FromJson):
 
 @dataclasses.dataclass(frozen=True)
 class Cause:
-    """One thing that the simulation gets wrong; `when`: stretches [s], empty for throughout."""
+    """One thing that the simulation gets wrong; `when`: segments [s], empty for throughout."""
 
     cause: str
     title: str

@@ -48,7 +48,7 @@ class BiasDrift final : public Cause {
         .id = ids::biasDrift,
         .family = Family::sensorZero,
         .title = heft::toSay("Sensor zero drifts (bias drift)"),
-        .check = heft::toSay("Let the sensor warm up for half an hour, keep draughts off it, and zero it often."),
+        .check = heft::toSay("Let the sensor warm up for half an hour, avoid draughts and re-zero often."),
         .decides = heft::toSay("Come back to the same pose three times: a drift reads differently each time."),
         .looks = heft::toSay("The difference climbs or sinks slowly over the whole recording and ignores the motion."),
         .decidingMotion = "tilt-round",

@@ -73,7 +73,7 @@ std::vector<Form> tautForms(const Cause* cause, const Signals& signals) {
 Form hardeningForm(const Cause* cause, const Form& taut) {
   std::vector<Parameter> parameters(taut.parameters.begin(), taut.parameters.begin() + 5);
   parameters.push_back({"hardening", "N/m3", 1.0, 10.0, 0.0, 1e5, true});
-  Form form = formOf(cause, "stiffer the further it stretches", withPlace(std::move(parameters)));
+  Form form = formOf(cause, "stiffer the further it segments", withPlace(std::move(parameters)));
   form.scan = {0};
   form.choice = {kHardens};
   form.alone = form.later = true;
@@ -106,7 +106,7 @@ class CablePull final : public Cause {
       return heft::say("A cable twists back as the tool turns: {} N m per radian.", v.size("twist_stiffness"));
     if (v.find("hardening"))
       return heft::say(
-          "A cable or hose, fixed to one spot, pulls the tool back: {} N per metre where it begins to stretch, and "
+          "A cable or hose, fixed to one spot, pulls the tool back: {} N per metre where it begins to segment, and "
           "more "
           "the further it does.",
           v.size("stiffness"));

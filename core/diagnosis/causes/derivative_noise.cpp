@@ -54,7 +54,7 @@ class DerivativeNoise final : public Cause {
         .id = ids::derivativeNoise,
         .family = Family::dynamicGain,
         .title = heft::toSay("Accelerations wrong"),
-        .check = heft::toSay("Record joint angles at the full rate; check the size of gravity in the meta file."),
+        .check = heft::toSay("Record joint angles at the full rate; check the size of gravity in the setup file."),
         .decides = heft::toSay("Record once more with stronger smoothing and compare."),
         .looks = heft::toSay(
             "The fast parts of the motion are too large or too small in the simulation, the slow ones fit."),

@@ -1,4 +1,4 @@
-// Gravity points elsewhere than the meta file says: the robot's base is tilted, or sinks during the recording.
+// Gravity points elsewhere than the setup file says: the robot's base is tilted, or sinks during the recording.
 #include <algorithm>
 #include <utility>
 
@@ -18,7 +18,7 @@ class GravityTilt final : public Cause {
         .id = ids::gravityTilt,
         .family = Family::geometry,
         .title = heft::toSay("Robot base tilted"),
-        .check = heft::toSay("Put a spirit level on the robot's base, or state the true gravity in the meta file."),
+        .check = heft::toSay("Put a spirit level on the robot's base, or state the true gravity in the setup file."),
         .decides = heft::toSay("Record once more with a heavier tool: a tilt grows with the weight, a pull does not."),
         .looks = heft::toSay("A difference that keeps its direction in the room and grows with the tool's weight."),
         .effect = "gravity_tilt"};

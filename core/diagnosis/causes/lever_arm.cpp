@@ -1,4 +1,4 @@
-// The sensor's origin is elsewhere than the meta file says: s += alpha x d + omega x (omega x d).
+// The sensor's origin is elsewhere than the setup file says: s += alpha x d + omega x (omega x d).
 #include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
@@ -16,7 +16,7 @@ class LeverArm final : public Cause {
         .family = Family::geometry,
         .title = heft::toSay("Sensor position wrong (lever arm)"),
         .check = heft::toSay(
-            "Measure from the flange to the sensor's origin and compare with the meta file. If that is right, the "
+            "Measure from the flange to the sensor's origin and compare with the setup file. If that is right, the "
             "torque is about another point: state wrench_point."),
         .decides = heft::toSay("Rotate the tool fast back and forth about all three axes."),
         .looks =
@@ -27,7 +27,7 @@ class LeverArm final : public Cause {
     return kInfo;
   }
   std::string sentence(const FoundValues& v) const override {
-    return heft::say("The sensor's origin is {} mm from where the meta file puts it.", v.norm({"dx", "dy", "dz"}));
+    return heft::say("The sensor's origin is {} mm from where the setup file puts it.", v.norm({"dx", "dy", "dz"}));
   }
   std::vector<std::string> lookAlikes() const override { return {"gain_error", "derivative_noise"}; }
   std::vector<Form> forms(const Signals& signals) const override {

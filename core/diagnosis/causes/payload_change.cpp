@@ -17,7 +17,7 @@ class PayloadChange final : public Cause {
         .id = ids::payloadChange,
         .family = Family::load,
         .title = heft::toSay("Load changed during the recording"),
-        .check = heft::toSay("Was a part picked up or put down? Mark only the stretch that you mean."),
+        .check = heft::toSay("Was a part picked up or put down? Mark only the segment that you mean."),
         .decides =
             heft::toSay("Turn the tool to another pose after the change: a load turns with gravity, a jump does not."),
         .looks = heft::toSay("From one moment on there is a residual that turns with the tool, as a weight does."),

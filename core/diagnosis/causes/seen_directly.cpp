@@ -109,8 +109,8 @@ class FrameError final : public Cause {
         .id = ids::frameError,
         .family = Family::convention,
         .title = heft::toSay("Frames or signs mixed up"),
-        .check = heft::toSay("Compare the sensor's manual with the meta file: axes, signs, gravity."),
-        .decides = heft::toSay("None is needed: the mistake is too large to be overlooked."),
+        .check = heft::toSay("Compare the sensor's manual with the setup file: axes, signs, gravity."),
+        .decides = heft::toSay("Not needed: the error is obvious."),
         .looks = heft::toSay("Nothing fits: the simulated curves run against the measured ones."),
         .effect = "frame_error"};
     return kInfo;

@@ -1,4 +1,4 @@
-// The sensor is mounted turned against what the meta file says.
+// The sensor is mounted turned against what the setup file says.
 #include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
@@ -15,7 +15,7 @@ class SensorRotation final : public Cause {
         .id = ids::sensorRotation,
         .family = Family::geometry,
         .title = heft::toSay("Sensor rotated on its mount"),
-        .check = heft::toSay("Compare the arrows printed on the sensor with the mount in the meta file."),
+        .check = heft::toSay("Compare the arrows printed on the sensor with the mount in the setup file."),
         .decides = heft::toSay("Turn the last joint by half a turn and hold, then tilt the tool."),
         .looks = heft::toSay("The weight shows up on the wrong axis of the sensor, always the same one."),
         .decidingMotion = "tilt-forwards",

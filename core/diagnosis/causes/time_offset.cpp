@@ -16,7 +16,7 @@ class TimeOffset final : public Cause {
         .id = ids::timeOffset,
         .family = Family::timing,
         .title = heft::toSay("Force readings late (delay)"),
-        .check = heft::toSay("Do force and joint angles get their time from one clock, at the source?"),
+        .check = heft::toSay("Are force and joint data timestamped by the same clock?"),
         .decides = heft::toSay("Shake the tool quickly for ten seconds, two to four times a second."),
         .looks = heft::toSay(
             "The difference is large where the force changes fast and zero where it rests, with the full height kept."),

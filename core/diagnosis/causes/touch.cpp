@@ -16,7 +16,7 @@ class Touch final : public Cause {
         .id = ids::contact,
         .family = Family::contact,
         .title = heft::toSay("The tool touched something (contact)"),
-        .check = heft::toSay("Was the tool set down, bumped, or held by its front?"),
+        .check = heft::toSay("Was the tool set down, bumped or held?"),
         .decides = heft::toSay("Repeat the motion without touching anything."),
         .looks = heft::toSay("Short, large differences at a few moments; between them everything fits."),
         .effect = "contact"};

@@ -120,7 +120,7 @@ void leaveAsItWas(DiagnosisReport& report, const Hypothesis& hypothesis, const c
   report.findings.push_back({Severity::warning, code, std::move(text), std::move(remedy), {}});
 }
 
-/// Whether the meta file's mount is to be turned: sensor axes are then other ones with it.
+/// Whether the setup file's mount is to be turned: sensor axes are then other ones with it.
 bool mountTurns(const nlohmann::json& metaChanges) {
   const auto at = nlohmann::json::json_pointer("/sensor/mount/rpy_rad");
   return metaChanges.contains(at);
@@ -169,7 +169,7 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
     leaveAsItWas(
         report, hypothesis, "payload_left_as_it_was",
         heft::say(
-            "Taking these causes out does not help to predict unseen stretches, so the payload is left as it was."),
+            "Taking these causes out does not help to predict held-out segments, so the payload is left as it was."),
         heft::say("Find what is unknown first: record the motion once more, more slowly."));
   } else if (unknown && !report.mistake && movesFar(report.after, report.before)) {
     leaveAsItWas(report, hypothesis, "payload_left_as_it_was",
@@ -179,8 +179,8 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
   } else if (mountTurns(report.metaChanges())) {
     report.findings.push_back({Severity::info,
                                "payload_as_stated",
-                               heft::say("The payload is given in the sensor frame that the meta file states."),
-                               heft::say("If you use the corrected meta file, estimate again with it."),
+                               heft::say("The payload is given in the sensor frame that the setup file states."),
+                               heft::say("If you use the corrected setup file, estimate again with it."),
                                {}});
   }
   return std::nullopt;

@@ -205,7 +205,7 @@ std::string toHtml(const DiagnosisReport& report, std::span<const diagnosis::Wit
     out += "</table>\n";
     if (cause.gain.blocks > 0)
       out += fmt::format(
-          "<p>On stretches that it was not fitted to: {:.3f} &rarr; {:.3f} N, {:.4f} &rarr; {:.4f} N m; better in {} "
+          "<p>On segments that it was not fitted to: {:.3f} &rarr; {:.3f} N, {:.4f} &rarr; {:.4f} N m; better in {} "
           "of {}.</p>\n",
           cause.gain.forceBefore, cause.gain.forceAfter, cause.gain.torqueBefore, cause.gain.torqueAfter,
           cause.gain.blocksBetter, cause.gain.blocks);

@@ -174,7 +174,7 @@ std::string toText(const DiagnosisReport& report) {
                          : fmt::format("   {:<18} {:.4g} {}\n", p.name, p.value, p.unit);
     for (const auto& [from, to] : cause.when) out += fmt::format("   from {:.2f} to {:.2f} s\n", from, to);
     if (cause.gain.blocks > 0)
-      out += fmt::format("   Unseen stretches: {:.3f} -> {:.3f} N, {:.4f} -> {:.4f} N m; better in {} of {}\n",
+      out += fmt::format("   Held-out segments: {:.3f} -> {:.3f} N, {:.4f} -> {:.4f} N m; better in {} of {}\n",
                          cause.gain.forceBefore, cause.gain.forceAfter, cause.gain.torqueBefore, cause.gain.torqueAfter,
                          cause.gain.blocksBetter, cause.gain.blocks);
     if (!cause.direct && report.surrogates > 0)

@@ -28,10 +28,10 @@ FaintTouches faintTouches(const Hypothesis& hypothesis, const std::vector<Diagno
       "faint_stretches",
       hypothesis.contacts.size() == 1
           ? heft::say(
-                "A stretch of {:.1f} s was left out: something acts there, too faint to tell a touch from anything "
+                "A segment of {:.1f} s was left out: something acts there, too faint to tell a touch from anything "
                 "else.",
                 lasts)
-          : heft::say("{} stretches, {:.1f} s in all, were left out: something acts there, too faint to tell a touch "
+          : heft::say("{} segments, {:.1f} s in all, were left out: something acts there, too faint to tell a touch "
                       "from anything else.",
                       std::ssize(hypothesis.contacts), lasts),
       heft::say("Record the motion once more and keep clear of everything."),

@@ -114,10 +114,9 @@ Claim hiddenByTheWalk(const Asked& asked, const WhatRemains&) {
 /// Where nothing hides behind it, the walk is said.
 Claim theWalkItself(const Asked& asked, const WhatRemains& soFar) {
   if (!asked.walks || soFar.claimed) return {};
-  return {
-      {},
-      {info("zero_wanders", heft::say("The sensor's zero wanders slowly during the recording; this is allowed for."),
-            heft::say("Let the sensor warm up, and keep recordings short."))}};
+  return {{},
+          {info("zero_wanders", heft::say("The sensor zero drifts slowly; this is compensated."),
+                heft::say("Let the sensor warm up, and keep recordings short."))}};
 }
 
 /// A drift in place of what goes with the motion: where that explains as much as the drift and the walk together,
@@ -167,7 +166,7 @@ Claim recurrences(const Asked& asked, const WhatRemains&) {
   for (const Contact& contact : asked.hypothesis.recurrences)
     out.findings.push_back(info(
         "cause_again",
-        heft::say("From {:.1f} to {:.1f} s the zero or the load was another one once more; that stretch was left out.",
+        heft::say("From {:.1f} to {:.1f} s the zero or the load was another one once more; that segment was left out.",
                   contact.from, contact.to),
         {}));
   return out;
@@ -305,7 +304,7 @@ Claim frozenChannelOf(const Asked& asked, const WhatRemains&) {
           {warning("channel_stands_still",
                    heft::say("{} stands still from {:.1f} to {:.1f} s, while the others go on.",
                              channelName(frozen->channel), frozen->from, frozen->to),
-                   heft::say("Check that channel's cable and plug; mark the stretch as \"ignore\"."))}};
+                   heft::say("Check that channel's cable and plug; mark the segment as \"ignore\"."))}};
 }
 
 /// When a question is asked.

@@ -40,7 +40,7 @@ constexpr std::array<Name, 45> kNames = {{
     {"loss", heft::toSay("Missing share")},
     {"smoothing", heft::toSay("Smoothed over T")},
     {"position_smoothing", heft::toSay("Positions smoothed over T")},
-    {"hardening", heft::toSay("Grows stiffer as it stretches by h")},
+    {"hardening", heft::toSay("Grows stiffer as it segments by h")},
     {"length", heft::toSay("Length when slack L")},
     {"count", heft::toSay("Number")},
     {"share", heft::toSay("Share of the readings")},

@@ -46,7 +46,7 @@ std::string causeCheck(const DiagnosedCause& cause, const DiagnosisReport& repor
   if (report.ofPoses && mountIsWrong(cause))
     return heft::say(
         "Correct how the sensor is mounted where the recorded poses are worked out: the recording states them itself, "
-        "and the meta file's mount is not used.");
+        "and the setup file's mount is not used.");
   if (cause.ofMistake && report.mistake) return report.mistake->check();
   const Cause* known = findCause(cause.id);
   const Vector3d& gravity = report.mistake ? report.mistake->reading.gravity : report.meta.gravity;

@@ -1,4 +1,4 @@
-// Where things are, against what the meta file says: a turned or displaced sensor, a tilted base, a joint's zero.
+// Where things are, against what the setup file says: a turned or displaced sensor, a tilted base, a joint's zero.
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -103,7 +103,7 @@ void addGeometryKinds(std::vector<EffectKind>& kinds) {
                    making<GravityTilt>()});
   kinds.push_back({"lever_arm",
                    "mm",
-                   "sensor origin beside where the meta file has it",
+                   "sensor origin beside where the setup file has it",
                    20.0,
                    1000.0,
                    false,
@@ -119,7 +119,7 @@ void addGeometryKinds(std::vector<EffectKind>& kinds) {
                    making<JointOffset>()});
   kinds.push_back({"sensor_rotation",
                    "deg",
-                   "sensor turned against what the meta file says",
+                   "sensor turned against what the setup file says",
                    2.0,
                    180.0,
                    true,

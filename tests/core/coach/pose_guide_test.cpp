@@ -73,7 +73,7 @@ TEST(PoseGuide, SpreadIsJudged) {
   one.add(poseAt(tool, {0, 0, 1.0}, someBias()));  // about gravity: no other tilt
   EXPECT_EQ(one.poses()[1].light, PoseLight::tooClose);
   EXPECT_EQ(one.result().spread, ExcitationLight::none);
-  EXPECT_THAT(one.result().spreadWords, testing::HasSubstr("one tilt only"));
+  EXPECT_THAT(one.result().spreadWords, testing::HasSubstr("same orientation"));
   PoseGuide axis({}, kGravity);
   for (const double roll : {-0.25, 0.0, 0.25}) axis.add(poseAt(tool, {roll, 0, 0}, someBias()));
   EXPECT_FALSE(axis.result().known);

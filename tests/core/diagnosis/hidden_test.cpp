@@ -480,7 +480,7 @@ TEST(Diagnose, TiedUnitsAreNoAnswer) {
 }
 
 /// Columns that are swapped are so exactly: what turns them back a little off was a sensor that is mounted turned. They
-/// are the other sign with the sensor turned by half, which a meta file can say.
+/// are the other sign with the sensor turned by half, which a setup file can say.
 TEST(Diagnose, SwappedColumnsAreNothingElse) {
   Recording recording = aRecording(MotionKind::excitation, 503);
   recording.wrench.col(0).swap(recording.wrench.col(1));

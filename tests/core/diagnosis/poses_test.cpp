@@ -191,7 +191,7 @@ TEST(Poses, ConventionsAreToldAndPutRight) {
   EXPECT_LT((put->wrench - standingWith(24, 3).wrench).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-// Standing poses cannot tell units apart: the report says so, proposes no meta file, and has the right one among those
+// Standing poses cannot tell units apart: the report says so, proposes no setup file, and has the right one among those
 // that fit.
 TEST(Poses, UnitsAreATie) {
   Recording recording = standingWith(24, 3);

@@ -77,7 +77,7 @@ TEST_F(LiveConventions, EverySampleComesInThePlainForm) {
           ASSERT_LT((sample->orientation->coeffs() - expected.quaternion.row(row).transpose()).norm(), 1e-12);
         }
       }
-      // The recording holds what came, and its meta file what that means.
+      // The recording holds what came, and its setup file what that means.
       auto read = openRecording(file);
       ASSERT_TRUE(read) << read.error().message;
       ASSERT_TRUE(toSensorAxes(read->recording));

@@ -120,7 +120,7 @@ TEST_F(RecordingFile, MetaCanBeNamed) {
   const auto missing = readRecording(csv, {folder_ / "none.json"});
   ASSERT_FALSE(missing);
   EXPECT_THAT(missing.error().message, HasSubstr("none.json: there is no such file"));
-  EXPECT_THAT(failure(csv), HasSubstr("rec.meta.json:1:")) << "a broken meta file is not passed over";
+  EXPECT_THAT(failure(csv), HasSubstr("rec.meta.json:1:")) << "a broken setup file is not passed over";
 }
 
 TEST_F(RecordingFile, WithoutMetaDefaultsAreSaid) {

@@ -1,4 +1,4 @@
-// Thousands of damaged recordings and meta files: none may crash, hang, or come back with numbers that are none.
+// Thousands of damaged recordings and setup files: none may crash, hang, or come back with numbers that are none.
 #include <algorithm>
 #include <random>
 

@@ -81,7 +81,7 @@ TEST(Meta, RobotPaths) {
 
 TEST(Meta, WrongValuesAreNamedWithTheirPath) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {R"([1])", "rec.meta.json: a meta file must be"},
+      {R"([1])", "rec.meta.json: a setup file must be"},
       {R"({"robot": 7})", "rec.meta.json: robot: must be a text, not 7"},
       {R"({"robot": ""})", "rec.meta.json: robot: "},
       {R"({"kind": "pose"})", "rec.meta.json: kind: must be \"motion\" or \"poses\", not \"pose\""},

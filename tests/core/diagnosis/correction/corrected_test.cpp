@@ -113,7 +113,7 @@ Vector3d turnOf(const DiagnosedCause& cause) {
   return out * std::numbers::pi / 180.0;
 }
 
-/// A sensor that is mounted turned by a quarter: beside joints the meta file says how it is mounted, and is to be
+/// A sensor that is mounted turned by a quarter: beside joints the setup file says how it is mounted, and is to be
 /// corrected; where the recording states the sensor's poses, nothing in that file would change anything.
 TEST(Corrected, AMetaFileIsNotBlamedForPosesThatWereRecorded) {
   Recording joints = aRecording(MotionKind::free, 83);
@@ -139,7 +139,7 @@ TEST(Corrected, AMetaFileIsNotBlamedForPosesThatWereRecorded) {
   }
 }
 
-/// The meta file of a robot on a floor, for one that hangs on a wall: that was a steady pull of a load and a half.
+/// The setup file of a robot on a floor, for one that hangs on a wall: that was a steady pull of a load and a half.
 TEST(Corrected, ARobotOnAWallHasAnotherGravity) {
   Recording recording = aRecording(MotionKind::free, 84);
   const Vector3d down = recording.meta.gravity;
