@@ -74,7 +74,7 @@ Result<ConvexHull> convexHull(const Eigen::Matrix3Xd& points) {
   char options[] = "qhull Qt Pp";
   if (qh_new_qhull(&hull.state, 3, static_cast<int>(given.cols()), given.data(), False, options, silent.get(),
                    silent.get()) != 0)
-    return Error{heft::say("The hull of {} points cannot be told.", given.cols())};
+    return Error{heft::say("The hull of {} points cannot be computed.", given.cols())};
   ConvexHull out;
   std::vector<int> number(static_cast<std::size_t>(given.cols()), -1);
   std::vector<Vector3d> vertices;

@@ -264,14 +264,13 @@ void addFindings(const ReadPoses& read, DiagnosisReport& out) {
   if (out.mistake && !out.mistake->decides.empty())
     out.findings.push_back(
         {Severity::info, "conventions_tied", heft::say("Other conventions fit as well."), out.mistake->decides, {}});
-  out.findings.push_back(
-      {Severity::info,
-       "poses_cannot_tell",
-       heft::say(
-           "Standing poses cannot tell: inertia, delays, friction, a gain that all channels share, a pull straight "
-           "up or down, or the zero of the first joint."),
-       heft::say("Record a motion with brisk turns for these."),
-       {}});
+  out.findings.push_back({Severity::info,
+                          "poses_cannot_tell",
+                          heft::say("Standing poses cannot determine: inertia, delays, friction, a gain that all "
+                                    "channels share, a pull straight "
+                                    "up or down, or the zero of the first joint."),
+                          heft::say("Record a motion with brisk turns for these."),
+                          {}});
 }
 
 void setSeries(const PosesSeen& poses, const PoseSearch& search, const std::vector<bool>& bad, DiagnosisSeries& out) {

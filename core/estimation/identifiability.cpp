@@ -162,7 +162,7 @@ std::vector<std::string> weakDirections(const Identifiability& identifiability, 
   if (identifiability.mass != Source::data)
     words.push_back(
         heft::say("The tool kept nearly the same tilt (about {:.0f} degrees of change), so its weight cannot be "
-                  "told from the sensor's bias.",
+                  "separated from the sensor's bias.",
                   spread));
   if (comWeak) {
     std::string axes;

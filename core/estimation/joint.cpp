@@ -276,7 +276,7 @@ Result<JointReport> estimateJointly(std::span<const JointInput> inputs, const Es
                i + 1, out.pieces[i].alone.mass, all->components(0),
                1e3 * (out.pieces[i].alone.com - Vector3d(all->components.segment<3>(1))).norm()),
            out.pieces.size() == 2
-               ? heft::say("With two recordings nobody can tell which is of the right tool: check both.")
+               ? heft::say("Two recordings cannot show which of them has the right tool: check both.")
                : heft::say("Estimate it by itself."),
            {}});
   return out;

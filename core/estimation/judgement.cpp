@@ -174,27 +174,27 @@ void addFindings(EstimateReport& report) {
   if (id.mass == Source::none)
     report.findings.push_back({Severity::warning,
                                "mass_not_known",
-                               heft::say("This motion cannot tell the mass; the number is a placeholder."),
+                               heft::say("This motion does not determine the mass; the number is a placeholder."),
                                heft::say("Tilt the tool into several directions."),
                                {}});
   if (count(id.com, Source::none) > 0)
     report.findings.push_back(
         {Severity::warning,
          "com_not_known",
-         heft::say("This motion cannot tell the whole centre of mass; what is marked \"none\" is a placeholder."),
+         heft::say(
+             "This motion does not determine the whole centre of mass; what is marked \"none\" is a placeholder."),
          heft::say("Tilt the tool about more axes."),
          {}});
   int unknown = 0;
   for (std::size_t i = 0; i < 3; ++i) unknown += id.inertia[i][i] == Source::none ? 1 : 0;
   if (unknown > 0 && report.parameters == ParameterSet::full)
-    report.findings.push_back(
-        {Severity::warning,
-         "inertia_not_known",
-         heft::say("This motion cannot tell {} of the three moments of inertia; they are placeholders with wide "
-                   "intervals.",
-                   unknown),
-         heft::say("Turn the tool faster, or give its shape."),
-         {}});
+    report.findings.push_back({Severity::warning,
+                               "inertia_not_known",
+                               heft::say("This motion does not determine {} of the three moments of inertia; they are "
+                                         "placeholders with wide intervals.",
+                                         unknown),
+                               heft::say("Turn the tool faster, or give its shape."),
+                               {}});
   std::vector<std::string> given;
   const auto lean = [&](bool part, std::string name) {
     if (part) given.push_back(std::move(name));
@@ -209,7 +209,7 @@ void addFindings(EstimateReport& report) {
     report.findings.push_back(
         {Severity::info,
          "from_what_you_gave",
-         heft::say("The motion tells less than what you gave about: {}. These numbers are mainly yours.",
+         heft::say("The motion adds less than what you entered about: {}. These numbers are mainly yours.",
                    joined(given)),
          {},
          {}});

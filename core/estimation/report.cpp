@@ -137,7 +137,8 @@ std::string bestText(const EstimateReport& report) {
 std::string headline(const EstimateReport& report) {
   const auto& id = report.identifiability;
   if (report.trust == Trust::none)
-    return heft::say("No weight can be told from these readings as they are understood. {}", report.whyNoTrust);
+    return heft::say("The weight cannot be determined from these readings as they are interpreted. {}",
+                     report.whyNoTrust);
   if (id.mass == Source::none) return "This motion cannot tell what your tool weighs.";
   std::string line = id.mass == Source::prior && report.evidence.hasPrior && !std::isfinite(report.evidence.data(0))
                          ? fmt::format("This motion cannot tell what your tool weighs; {:.2f} kg is what you gave.",

@@ -230,8 +230,8 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
         {Severity::warning,
          "conventions_tie",
          inOneLine({report.readAsSuggested
-                        ? heft::say("This recording cannot tell this reading from others.")
-                        : heft::say("This recording cannot tell the stated conventions from others."),
+                        ? heft::say("This recording fits this interpretation and others equally well.")
+                        : heft::say("This recording fits the stated conventions and others equally well."),
                     tiesOf(report)}),
          said.decides,
          {}});

@@ -35,7 +35,7 @@ std::optional<Error> withoutClock(const std::vector<Stream>& streams, const std:
     const auto& stream = streams[column.stream];
     if (!stream.clockless) continue;
     return errorAt({stream.file, 0, 0},
-                   heft::say("{} has no clock: nothing in the file tells its times.",
+                   heft::say("{} has no clock: nothing in the file gives its times.",
                              stream.name.empty() || stream.name == "/" ? stream.file : stream.name),
                    remedy(Remedy::stateRate) + " " + remedy(Remedy::chooseTime));
   }

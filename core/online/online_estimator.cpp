@@ -389,7 +389,7 @@ void OnlineEstimator::Impl::fillState() const {
     state.findings.push_back(
         {Severity::warning,
          "no_agreement",
-         heft::say("A rigid tool does not describe the readings yet, so no number is told."),
+         heft::say("A rigid tool does not describe the readings yet, so no number is shown."),
          heft::say("Check the time stamps, the wrench's sign and axes, and that nothing touches the tool."),
          {}});
   if (state.estimated) {

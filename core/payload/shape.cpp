@@ -208,8 +208,8 @@ Result<BodySamples> sampleMesh(const ShapeBody& body, const std::string& name, F
   auto result = samplePieces(mainPieces(std::move(closed.pieces), moments(3, 3)), moments);
   if (!result)
     return Error{
-        heft::say("{} is so flat, or cuts through itself so badly, that its inside cannot be told: export a clean "
-                  "solid, or give its wall thickness.",
+        heft::say("{} is so flat, or cuts through itself so badly, that its inside cannot be determined: export a "
+                  "clean solid, or give its wall thickness.",
                   name)};
   return *result;
 }

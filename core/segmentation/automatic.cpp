@@ -138,7 +138,7 @@ void chooseParts(const WrenchRows& rows, const FitWindows& windows, const std::v
                               : heft::say("at {:.1f} s, or the sensor's bias moved there", from));
     const SegmentKind kind = step > 0.0 ? SegmentKind::pickUp : SegmentKind::putDown;
     const int note = blocks.addReason(
-        !payload     ? heft::say("The payload changes here, or the sensor's bias moves: this motion cannot tell which.")
+        !payload     ? heft::say("The payload changes here, or the sensor's bias moves: this motion cannot show which.")
         : step > 0.0 ? heft::say("The payload grows by {:.2g} kg: something was picked up.", step)
                      : heft::say("The payload shrinks by {:.2g} kg: something was put down.", -step));
     const auto half = static_cast<Eigen::Index>(std::ceil(kTransition * rows.rateHz));

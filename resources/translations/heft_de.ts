@@ -183,7 +183,7 @@
         <translation>Mehrere Ursachen möglich</translation>
     </message>
     <message>
-        <source>this motion cannot tell</source>
+        <source>not determined by this motion</source>
         <translation>diese Bewegung verrät es nicht</translation>
     </message>
     <message>
@@ -496,7 +496,7 @@
         <translation>Scheinkraft</translation>
     </message>
     <message>
-        <source>The entry is right, as far as this recording can tell.</source>
+        <source>The entry agrees with this recording.</source>
         <translation>Der Eintrag stimmt, soweit diese Aufnahme es sagen kann.</translation>
     </message>
     <message>
@@ -2384,7 +2384,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>%1 % Ihre Form</translation>
     </message>
     <message>
-        <source>No weight can be told yet.</source>
+        <source>The weight cannot be determined yet.</source>
         <translation>Noch lässt sich kein Gewicht nennen.</translation>
     </message>
     <message>
@@ -3161,7 +3161,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Kopplung der Drehungen um {} und {}</translation>
     </message>
     <message>
-        <source>The tool kept nearly the same tilt (about {:.0f} degrees of change), so its weight cannot be told from the sensor&apos;s bias.</source>
+        <source>The tool kept nearly the same tilt (about {:.0f} degrees of change), so its weight cannot be separated from the sensor&apos;s bias.</source>
         <translation>Das Werkzeug blieb fast gleich geneigt (etwa {:.0f} Grad Änderung); sein Gewicht lässt sich so nicht vom Nullpunkt des Sensors trennen.</translation>
     </message>
     <message>
@@ -3173,7 +3173,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Aufnahme {} widerspricht den anderen: {:.3f} kg gegen {:.3f} kg, Schwerpunkte {:.0f} mm auseinander. Sie wurde ausgelassen.</translation>
     </message>
     <message>
-        <source>With two recordings nobody can tell which is of the right tool: check both.</source>
+        <source>Two recordings cannot show which of them has the right tool: check both.</source>
         <translation>Bei zwei Aufnahmen kann niemand sagen, welche vom richtigen Werkzeug ist: Prüfen Sie beide.</translation>
     </message>
     <message>
@@ -3241,7 +3241,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Entweder gehört der bekannte Wert zu einem anderen Werkzeug, oder die Kalibrierung des Sensors stimmt nicht: Das Vertrauen ist gering.</translation>
     </message>
     <message>
-        <source>This motion cannot tell the mass; the number is a placeholder.</source>
+        <source>This motion does not determine the mass; the number is a placeholder.</source>
         <translation>Diese Bewegung verrät die Masse nicht; die Zahl ist ein Platzhalter.</translation>
     </message>
     <message>
@@ -3249,7 +3249,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Neigen Sie das Werkzeug in mehrere Richtungen.</translation>
     </message>
     <message>
-        <source>This motion cannot tell the whole centre of mass; what is marked &quot;none&quot; is a placeholder.</source>
+        <source>This motion does not determine the whole centre of mass; what is marked &quot;none&quot; is a placeholder.</source>
         <translation>Diese Bewegung verrät den Schwerpunkt nicht ganz; was nicht bekannt ist, ist ein Platzhalter.</translation>
     </message>
     <message>
@@ -3257,7 +3257,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Neigen Sie das Werkzeug um mehr Achsen.</translation>
     </message>
     <message>
-        <source>This motion cannot tell {} of the three moments of inertia; they are placeholders with wide intervals.</source>
+        <source>This motion does not determine {} of the three moments of inertia; they are placeholders with wide intervals.</source>
         <translation>Diese Bewegung verrät {} der drei Trägheitsmomente nicht; sie sind Platzhalter mit weiten Bereichen.</translation>
     </message>
     <message>
@@ -3273,7 +3273,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Trägheit</translation>
     </message>
     <message>
-        <source>The motion tells less than what you gave about: {}. These numbers are mainly yours.</source>
+        <source>The motion adds less than what you entered about: {}. These numbers are mainly yours.</source>
         <translation>Die Bewegung sagt weniger als Ihre Angaben über: {}. Diese Zahlen sind überwiegend Ihre eigenen.</translation>
     </message>
     <message>
@@ -4393,7 +4393,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>bei {:.1f} s, oder der Nullpunkt des Sensors hat sich dort verschoben</translation>
     </message>
     <message>
-        <source>The payload changes here, or the sensor&apos;s bias moves: this motion cannot tell which.</source>
+        <source>The payload changes here, or the sensor&apos;s bias moves: this motion cannot show which.</source>
         <translation>Hier ändert sich die Last, oder der Nullpunkt des Sensors: Diese Bewegung verrät nicht, welches.</translation>
     </message>
     <message>
@@ -5173,7 +5173,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} umschließt kein Volumen ({} offene Kanten): Exportieren Sie einen geschlossenen Körper, oder geben Sie die Wandstärke an, dann gilt es als dünne Schale.</translation>
     </message>
     <message>
-        <source>{} is so flat, or cuts through itself so badly, that its inside cannot be told: export a clean solid, or give its wall thickness.</source>
+        <source>{} is so flat, or cuts through itself so badly, that its inside cannot be determined: export a clean solid, or give its wall thickness.</source>
         <translation>{} ist so flach oder durchdringt sich selbst so sehr, dass das Innere nicht zu erkennen ist: Exportieren Sie einen sauberen Körper, oder geben Sie die Wandstärke an.</translation>
     </message>
     <message>
@@ -7581,7 +7581,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Andere Konventionen passen ebenso.</translation>
     </message>
     <message>
-        <source>Standing poses cannot tell: inertia, delays, friction, a gain that all channels share, a pull straight up or down, or the zero of the first joint.</source>
+        <source>Standing poses cannot determine: inertia, delays, friction, a gain that all channels share, a pull straight up or down, or the zero of the first joint.</source>
         <translation>Stehende Posen zeigen nicht: Trägheit, Verzögerungen, Reibung, eine allen Kanälen gemeinsame Verstärkung, einen Zug genau nach oben oder unten und die Nullstellung des ersten Gelenks.</translation>
     </message>
     <message>
@@ -7641,7 +7641,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Geben Sie seine Form an, oder nehmen Sie eine Bewegung auf, die das Werkzeug schneller dreht.</translation>
     </message>
     <message>
-        <source>No weight can be told from these readings as they are understood. {}</source>
+        <source>The weight cannot be determined from these readings as they are interpreted. {}</source>
         <translation>Aus diesen Messwerten lässt sich, so wie sie verstanden werden, kein Gewicht angeben. {}</translation>
     </message>
     <message>
@@ -7689,7 +7689,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Messwerte wurden anders verstanden als angegeben.</translation>
     </message>
     <message>
-        <source>This recording cannot tell the stated conventions from others.</source>
+        <source>This recording fits the stated conventions and others equally well.</source>
         <translation>Diese Aufnahme kann die angegebenen Konventionen nicht von anderen unterscheiden.</translation>
     </message>
     <message>
@@ -7725,7 +7725,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Nehmen Sie mehr Haltungen auf, nach allen Seiten geneigt.</translation>
     </message>
     <message>
-        <source>This recording cannot tell this reading from others.</source>
+        <source>This recording fits this interpretation and others equally well.</source>
         <translation>Diese Aufnahme kann diese Lesart nicht von anderen unterscheiden.</translation>
     </message>
     <message>
@@ -7933,7 +7933,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Lassen Sie die Quelle ihre Werte beim Messen stempeln, nicht beim Senden.</translation>
     </message>
     <message>
-        <source>A rigid tool does not describe the readings yet, so no number is told.</source>
+        <source>A rigid tool does not describe the readings yet, so no number is shown.</source>
         <translation>Ein starres Werkzeug beschreibt die Messwerte noch nicht; deshalb wird keine Zahl genannt.</translation>
     </message>
     <message>
@@ -8065,7 +8065,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Wandeln Sie sie um, zum Beispiel mit python3 -c &quot;import pandas; pandas.{}(&apos;{}&apos;).to_csv(&apos;{}.csv&apos;, index=False)&quot;.</translation>
     </message>
     <message>
-        <source>{} has no clock: nothing in the file tells its times.</source>
+        <source>{} has no clock: nothing in the file gives its times.</source>
         <translation>{} hat keine Uhr: Nichts in der Datei nennt die Zeiten.</translation>
     </message>
     <message>
@@ -8737,7 +8737,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Das Modell passt: Es bleibt nur das Rauschen des Sensors.</translation>
     </message>
     <message>
-        <source>Two or more causes are possible: &quot;{}&quot; or {}. This motion cannot tell them apart.</source>
+        <source>Two or more causes are possible: &quot;{}&quot; or {}. This motion cannot distinguish them.</source>
         <translation>Zwei oder mehr Ursachen sind möglich: „{}“ oder {}. Diese Bewegung kann sie nicht unterscheiden.</translation>
     </message>
     <message>
@@ -9005,7 +9005,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Es gibt keinen Punkt, um den sich eine Hülle legen ließe.</translation>
     </message>
     <message>
-        <source>The hull of {} points cannot be told.</source>
+        <source>The hull of {} points cannot be computed.</source>
         <translation>Die Hülle von {} Punkten lässt sich nicht bestimmen.</translation>
     </message>
     <message>
@@ -9776,7 +9776,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Was kostet der heutige Eintrag?</translation>
     </message>
     <message>
-        <source>Say what the controller is set to now. Heft then tells which forces it feels that nobody exerts, and what they do.</source>
+        <source>Enter what the controller is set to now. Heft then shows which forces it would feel that nobody exerts, and what they do.</source>
         <translation>Sagen Sie, was jetzt in der Steuerung steht. Heft nennt dann die Kräfte, die sie spürt, obwohl niemand sie ausübt, und was sie bewirken.</translation>
     </message>
     <message>
@@ -9796,7 +9796,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Heft vergleicht ihn entlang der Bewegung …</translation>
     </message>
     <message>
-        <source>Set as the recording tells (%1).</source>
+        <source>Set as in the recording (%1).</source>
         <translation>Eingestellt, wie es die Aufnahme sagt (%1).</translation>
     </message>
     <message>
@@ -10086,7 +10086,7 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>%1
 
-A robot that is told a wrong load drifts when it is guided, stops without a reason, or does not stop when it should.</source>
+A robot with a wrong load setting drifts when it is guided, stops without a reason, or does not stop when it should.</source>
         <translation>%1
 
 Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an oder hält nicht an, wenn er sollte.</translation>
@@ -10171,7 +10171,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>noch nicht geschrieben</translation>
     </message>
     <message>
-        <source>Not told by the motion</source>
+        <source>Not determined by the motion</source>
         <translation>Nicht aus der Bewegung bekannt</translation>
     </message>
 </context>
@@ -11086,7 +11086,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::MountedList</name>
     <message>
-        <source>Is it between flange and tool, and not told to the controller elsewhere?</source>
+        <source>Is it between flange and tool, and not entered into the controller elsewhere?</source>
         <translation>Sitzt es zwischen Flansch und Werkzeug, und weiß die Steuerung es nicht schon anderswoher?</translation>
     </message>
     <message>

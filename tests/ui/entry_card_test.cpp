@@ -100,7 +100,7 @@ TEST_F(EntryCardTest, TheRightFileIsRightAndALightThresholdStopsTheArm) {
   tell({"controller", file});
   ASSERT_TRUE(costs()->cost());
   EXPECT_FALSE(costs()->cost()->differs);
-  EXPECT_TRUE(texts().contains("The entry is right, as far as this recording can tell."));
+  EXPECT_TRUE(texts().contains("The entry agrees with this recording."));
   EXPECT_TRUE(texts().contains("Set as in right.json."));
   ControllerChoice choice = workspace.session().controller;
   choice.told = {0.0, {}, {}};

@@ -416,7 +416,7 @@ void ExportPanel::confirmUntrusted() {
   box->setObjectName("confirmUntrusted");
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setInformativeText(
-      tr("%1\n\nA robot that is told a wrong load drifts when it is guided, stops without a reason, or does not stop "
+      tr("%1\n\nA robot with a wrong load setting drifts when it is guided, stops without a reason, or does not stop "
          "when it should.")
           .arg(QString::fromStdString(report->whyNoTrust)));
   auto* yes = box->addButton(tr("I know that these numbers are wrong; write them"), QMessageBox::DestructiveRole);

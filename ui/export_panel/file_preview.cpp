@@ -150,7 +150,7 @@ void FilePreview::tint() {
     QTextEdit::ExtraSelection selection;
     selection.format.setBackground(theme().lookTint);
     selection.format.setProperty(QTextFormat::FullWidthSelection, true);
-    selection.format.setToolTip(tr("Not told by the motion"));
+    selection.format.setToolTip(tr("Not determined by the motion"));
     selection.cursor = QTextCursor(edit_->document()->findBlockByNumber(line));
     selections << selection;
   }

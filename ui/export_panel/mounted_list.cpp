@@ -66,9 +66,9 @@ void MountedList::showParts(const std::vector<MountedPart>& parts, bool nothingE
     auto* box = new FittedCheckBox(QString::fromStdString(parts_[i].name), this);
     box->setObjectName(QStringLiteral("mounted%1").arg(i));
     box->setChecked(parts_[i].present);
-    box->setToolTip(
-        QStringLiteral("%1\n%2").arg(QString::fromStdString(parts_[i].name),
-                                     tr("Is it between flange and tool, and not told to the controller elsewhere?")));
+    box->setToolTip(QStringLiteral("%1\n%2").arg(
+        QString::fromStdString(parts_[i].name),
+        tr("Is it between flange and tool, and not entered into the controller elsewhere?")));
     connect(box, &QCheckBox::toggled, this, [this, i](bool on) {
       auto next = parts_;
       next[i].present = on;

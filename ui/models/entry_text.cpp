@@ -98,7 +98,7 @@ EntryText describeEntry(const EntryCost& cost, const ControllerLimits& limits) {
     missing << QString::fromStdString(finding.text + " " + finding.remedy).trimmed();
   out.note = missing.join(' ');
   if (!cost.differs) {
-    out.headline = EntryWords::tr("The entry is right, as far as this recording can tell.");
+    out.headline = EntryWords::tr("The entry agrees with this recording.");
     out.consequence = EntryWords::tr("What differs lies within the intervals of the estimate.");
     return out;
   }

@@ -337,7 +337,7 @@ std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPa
 /// What is wrong and what to do next, in place of numbers.
 void withholdNumbers(const EstimateReport& report, ResultText& out) {
   out.withheld = true;
-  out.question = ResultWords::tr("No weight can be told yet.");
+  out.question = ResultWords::tr("The weight cannot be determined yet.");
   out.answer = capitalised(QString::fromStdString(report.whyNoTrust));
   out.advice = capitalised(QString::fromStdString(report.whatToDo));
   std::erase_if(out.findings, [](const FindingText& finding) { return finding.noTrust; });

@@ -460,7 +460,7 @@ QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause,
   card.layout->addLayout(
       tagRow(makeVerdictTag(two ? Say::tr("Two causes possible") : Say::tr("Several causes possible"), Light::twoCauses,
                             false, card.frame),
-             Say::tr("this motion cannot tell"), {}, card.frame));
+             Say::tr("not determined by this motion"), {}, card.frame));
   // One below the other, each with what would be seen on the robot: the same kind of sentence for all.
   const auto box = [&](const QString& title, const QString& text) {
     auto* frame = new QFrame(card.frame);

@@ -86,10 +86,9 @@ void EntryCard::addTo(QVBoxLayout* column, QWidget* content) {
     addAnswer(card.layout, content);
   } else {
     card.layout->addWidget(styledLabel(tr("What does today’s entry cost?"), "sectionTitle", content));
-    card.layout->addWidget(
-        wrappedLabel(tr("Say what the controller is set to now. Heft then tells which forces it feels "
-                        "that nobody exerts, and what they do."),
-                     "body", content));
+    card.layout->addWidget(wrappedLabel(tr("Enter what the controller is set to now. Heft then shows which forces it "
+                                           "would feel that nobody exerts, and what they do."),
+                                        "body", content));
   }
   auto* row = new QHBoxLayout;
   const auto button = [&](const QString& text, const char* name, auto clicked) {
@@ -128,7 +127,7 @@ void EntryCard::addAnswer(QVBoxLayout* card, QWidget* content) {
   card->addWidget(wrappedLabel(text.headline, "findingText", content));
   card->addWidget(wrappedLabel(text.consequence, "body", content));
   addDetailRows(card, text.rows, content);
-  const QString source = entry->byRecording        ? tr("Set as the recording tells (%1).").arg(entry->source)
+  const QString source = entry->byRecording        ? tr("Set as in the recording (%1).").arg(entry->source)
                          : entry->source.isEmpty() ? tr("Set as you typed it.")
                                                    : tr("Set as in %1.").arg(entry->source);
   QString notes = source;

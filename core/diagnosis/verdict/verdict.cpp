@@ -243,7 +243,7 @@ std::string verdictSentence(const DiagnosisReport& report) {
         return conventions::tiedSentence(report.mistake->stated, report.mistake->reading);
       std::vector<std::string> others;
       for (const auto& other : tied->alternatives) others.push_back('"' + causeTitle(other) + '"');
-      return heft::say("Two or more causes are possible: \"{}\" or {}. This motion cannot tell them apart.",
+      return heft::say("Two or more causes are possible: \"{}\" or {}. This motion cannot distinguish them.",
                        tied->title, joined(others));
     }
     case Verdict::unexplained: {
