@@ -20,9 +20,9 @@ std::string onCommandLine(Remedy way, const std::string& subject) {
     case Remedy::takeSource:
       return heft::say("--use wrench={} takes it nevertheless.", subject);
     case Remedy::addFile:
-      return heft::say("Add its file with --join FILE, or say which columns it has with --use.");
+      return heft::say("Add its file with --join FILE, or name its columns with --use.");
     case Remedy::chooseTime:
-      return heft::say("Name it time (in seconds), or say which it is with --use time=NAME.");
+      return heft::say("Name it time (in seconds), or choose it with --use time=NAME.");
     case Remedy::stateOffset:
       return heft::say("State it in a map file, for instance {{\"offset_s\": {{{}}}}} (seconds added to its times).",
                        subject);
@@ -42,7 +42,7 @@ std::string onCommandLine(Remedy way, const std::string& subject) {
     case Remedy::correctMount:
       return heft::say("Correct sensor.mount.rpy_rad in the setup file.");
     case Remedy::sayStandingPoses:
-      return heft::say("For standing poses say \"kind\": \"poses\" in the setup file.");
+      return heft::say("For standing poses write \"kind\": \"poses\" into the setup file.");
     case Remedy::keepEndsOut:
       return heft::say("Give --trim to keep them out.");
     case Remedy::giveCentre:

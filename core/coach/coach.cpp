@@ -266,7 +266,7 @@ Result<Advice> advise(const std::optional<OnlineInformation>& information, const
     return Error{heft::say("A proposed motion needs a speed above zero and at least one second.")};
   const RobotModel& robot = *given.robot;
   if (robot.clampToLimits(q) != q)
-    return Error{heft::say("The posture lies outside the joints' ranges: no motion can start there.")};
+    return Error{heft::say("The posture is outside the joints' ranges: no motion can start there.")};
   GuidedTool tool = given;
   Vector3d pivot = Vector3d::Zero();
   Uncertainty before;
@@ -325,7 +325,7 @@ Result<Advice> namedMotion(std::string_view id, const GuidedTool& tool, const Ve
   const auto kind = std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& each) { return id == each.id; });
   if (kind == kKinds.end()) return Error{heft::say("The coach has no motion called \"{}\".", id)};
   if (tool.robot->clampToLimits(q) != q)
-    return Error{heft::say("The posture lies outside the joints' ranges: no motion can start there.")};
+    return Error{heft::say("The posture is outside the joints' ranges: no motion can start there.")};
   std::optional<Conflict> inTheWay;
   auto advice = fitted(*kind, tool, toolAxes(std::nullopt), Vector3d::Zero(), q, options, inTheWay);
   if (!advice && inTheWay) return Error{noRoom(*inTheWay)};

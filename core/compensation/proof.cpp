@@ -137,7 +137,7 @@ Result<EnteredPayload> enteredPayloadFromJson(const nlohmann::json& object, cons
 Result<Proof> prove(const EnteredPayload& entered, const Recording& recording, const RobotModel* robot,
                     const EstimateOptions& options, const Findings& read, const Progress& progress) {
   if (options.method != Method::map || options.parameters != ParameterSet::full || options.shape)
-    return Error{heft::say("A proof compares with what the motion alone says: method map, all parameters, no shape.")};
+    return Error{heft::say("A proof compares with what the motion alone shows: method map, all parameters, no shape.")};
   const auto prepared = prepareFor(recording, robot, options, progress);
   if (!prepared) return prepared.error();
   auto own = estimatePrepared(recording, *prepared, options, {}, 0.0, progress);

@@ -59,7 +59,7 @@ std::string toText(const CarriedObject& carried) {
   const EstimateReport& object = carried.object;
   std::string text = objectHeadline(carried);
   if (object.trust == Trust::low)
-    text += " " + heft::say("Check the warnings below first: the numbers may be off by more than they say.");
+    text += " " + heft::say("Check the warnings below first: the errors may be larger than the intervals.");
   text += "\n\n";
   if (object.trust == Trust::none) {
     if (!object.whatToDo.empty()) text += "  " + object.whatToDo + "\n";

@@ -168,8 +168,8 @@ std::vector<std::string> weakDirections(const Identifiability& identifiability, 
     std::string axes;
     for (std::size_t i = 0; i < 3; ++i)
       if (identifiability.com[i] != Source::data) axes += (axes.empty() ? "" : ", ") + std::string(kAxes[i]);
-    words.push_back(heft::say(
-        "The tool was not tilted into enough directions to tell where its centre of mass lies along {}.", axes));
+    words.push_back(
+        heft::say("The tool was not tilted in enough directions to determine its centre of mass along {}.", axes));
   }
   // The moment about an axis is told by turning to and fro about it, and weak in the sensor's axes where one of the
   // tool's is.

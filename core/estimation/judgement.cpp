@@ -149,7 +149,7 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, const Unseen& 
     report.findings.push_back(
         {Severity::warning,
          "prior_contradicts_data",
-         heft::say("What you gave and what the motion says disagree about: {}.", joined(parts)),
+         heft::say("What you entered and what the motion shows disagree about: {}.", joined(parts)),
          heft::say(
              "Either the given values are of another tool or place, or the sensor's calibration is off: trust is low."),
          {}});

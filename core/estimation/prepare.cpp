@@ -84,8 +84,9 @@ void saySilent(const std::array<bool, 6>& silent, const std::array<bool, 6>& cut
     findings.push_back(
         {Severity::warning,
          "channel_unused",
-         heft::say("Hardly any reading of {} leaves one value: that says nothing of the payload, so it is not used.",
-                   joined(still)),
+         heft::say(
+             "Hardly any reading of {} differs from one value: that shows nothing of the payload, so it is not used.",
+             joined(still)),
          heft::say("Check that it was logged, or choose a finer measuring range of the sensor."),
          {}});
   if (!limited.empty())
@@ -468,8 +469,8 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     best->findings.push_back(
         {Severity::info,
          "spikes_removed",
-         heft::say("{} samples ({:.2g} %) held spikes in the wrench and were replaced by what lies beside them.",
-                   spikes, 100.0 * static_cast<double>(spikes) / static_cast<double>(recording.rows())),
+         heft::say("{} samples ({:.2g} %) had spikes in the wrench and were replaced by their neighbours.", spikes,
+                   100.0 * static_cast<double>(spikes) / static_cast<double>(recording.rows())),
          {},
          {}});
   progress(0.6, heft::say("Learning the sensor's noise"));

@@ -249,9 +249,9 @@ std::string toText(const EstimateReport& report) {
     return text;
   }
   const bool doubtful = report.trust == Trust::low;
-  std::string text =
-      headline(report) +
-      (doubtful ? " Check the warnings below first: the numbers may be off by more than they say." : "") + "\n\n";
+  std::string text = headline(report) +
+                     (doubtful ? " Check the warnings below first: the errors may be larger than the intervals." : "") +
+                     "\n\n";
   text += numbersText(report);
   text +=
       "\n  (+-: 95 % interval. Centre of mass from the sensor's origin, inertia about the centre of mass, sensor "

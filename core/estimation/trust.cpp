@@ -100,7 +100,7 @@ NoTrust whyNone(const EstimateReport& report, const Unseen& unseen) {
   const double width = mass.upper - mass.lower;
   if (report.identifiability.mass == Source::data &&
       (report.payload.mass > mass.upper + width || report.payload.mass < mass.lower - width))
-    return {heft::say("The value of the mass lies outside its own interval."),
+    return {heft::say("The value of the mass is outside its own interval."),
             heft::say("Record a longer motion that tilts and turns the tool.")};
   if (unseen.worst() > kDescribes)
     return {

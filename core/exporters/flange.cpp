@@ -200,10 +200,8 @@ Result<FlangePayload> toFlange(const json& result, const std::string& where, con
                   "--result file of 'heft diagnose'.",
                   where, printable(schema->get<std::string>()))};
   if (const json* trust = member(result, "trust"); trust && *trust == "none" && !options.force)
-    return Error{
-        heft::say("{} says that its numbers cannot be trusted, so no payload is written from it: see its "
-                  "findings first.",
-                  where)};
+    return Error{heft::say(
+        "The numbers in {} cannot be trusted, so no payload is written from it: see its findings first.", where)};
   FlangePayload out;
   const auto payload = payloadFromJson(result, where);
   if (!payload) return payload.error();
@@ -220,7 +218,7 @@ Result<FlangePayload> toFlange(const json& result, const std::string& where, con
     out.findings.push_back(
         {Severity::warning,
          "mount_unknown",
-         heft::say("The result does not say where the sensor sits; its frame was taken for the flange's."),
+         heft::say("The result does not state where the sensor is mounted; its frame was taken for the flange's."),
          heft::say("State the sensor's pose on the flange."),
          {}});
   }
@@ -238,7 +236,7 @@ Result<FlangePayload> toFlange(const json& result, const std::string& where, con
   if (const json* trust = member(result, "trust"); trust && *trust == "none")
     out.findings.push_back({Severity::warning,
                             "not_trusted",
-                            heft::say("The estimate itself says that its numbers cannot be trusted."),
+                            heft::say("The estimate's own findings say that its numbers cannot be trusted."),
                             heft::say("See its findings before the robot relies on them."),
                             {}});
   else if (const json* identifiability = member(result, "identifiability"))

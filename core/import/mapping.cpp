@@ -17,7 +17,7 @@ namespace heft {
 namespace {
 
 constexpr int kNearlyAsGood = 2;  ///< Scores that differ by less say nothing.
-constexpr const char* kSaidByUser = "said by the user";
+constexpr const char* kSaidByUser = "chosen by the user";
 std::string shown(const Stream& stream) {
   if (stream.name.empty() || stream.name == "/") return stream.file;
   return stream.name;
@@ -243,7 +243,7 @@ class Chooser {
       const auto& stream = streams_[first->stream];
       const bool said = first->why == kSaidByUser;
       texts.push_back(heft::say("{} from {} ({})", partName(part), shown(stream),
-                                said ? heft::say("said by the user") : first->why));
+                                said ? heft::say("chosen by the user") : first->why));
       std::vector<std::string> others;
       for (const auto& candidate : candidates_) {
         const auto other = candidate.columns[0].stream;

@@ -16,7 +16,7 @@ struct ColumnSource {
   std::size_t stream = 0;   ///< Index into the streams.
   std::size_t field = 0;    ///< Index into the stream's fields.
   double scale = 1.0;       ///< Factor to SI units.
-  std::string why;          ///< In words: "type geometry_msgs/WrenchStamped", "said by the user".
+  std::string why;          ///< In words: "type geometry_msgs/WrenchStamped", "chosen by the user".
   bool unitNamed = false;   ///< `scale` is what the field's own name says, and stronger than a unit that is stated.
   bool inBaseAxes = false;  ///< Of a wrench that is known to be given in the robot's base axes (UR's actual_TCP_force).
 };

@@ -90,8 +90,8 @@ class McapScan {
   }
 
   void cutOff(std::uint64_t at) {
-    note("file_cut_off",
-         heft::say("The file is cut off or damaged at byte {} of {}; what stands before was read.", at, file_.size()));
+    note("file_cut_off", heft::say("The file is cut off or damaged at byte {} of {}; everything before that was read.",
+                                   at, file_.size()));
   }
 
   void chunk(std::string_view content, const Progress& progress) {

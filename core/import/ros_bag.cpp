@@ -90,7 +90,8 @@ class BagScan {
     findings_.push_back(
         {Severity::warning,
          "file_cut_off",
-         heft::say("The bag is cut off or damaged at byte {} of {}; what stands before was read.", at, file_.size()),
+         heft::say("The bag is cut off or damaged at byte {} of {}; everything before that was read.", at,
+                   file_.size()),
          heft::say("The recorder was probably killed; 'rosbag reindex' mends the bag for other programs."),
          {name_, 0, 0}});
     return finish();

@@ -30,13 +30,13 @@ void mountOnFlange(RecordingMeta& meta, const RobotModel& robot, Findings& findi
       if (name.ends_with("tool0") || name.ends_with("flange") || name.ends_with("ee_link")) link = joint.childLink;
     }
   meta.mount.parent = robot.links()[static_cast<std::size_t>(link)].name;
-  findings.push_back({Severity::warning,
-                      "mount_assumed",
-                      heft::say("Nothing says where the sensor sits; it is taken to be at the origin of the robot's "
-                                "link \"{}\".",
-                                meta.mount.parent),
-                      heft::say("State sensor.mount in the setup file."),
-                      {}});
+  findings.push_back(
+      {Severity::warning,
+       "mount_assumed",
+       heft::say("The sensor's mounting is not stated; it is assumed to be at the origin of the robot's link \"{}\".",
+                 meta.mount.parent),
+       heft::say("State sensor.mount in the setup file."),
+       {}});
 }
 
 }  // namespace heft

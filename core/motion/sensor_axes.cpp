@@ -21,11 +21,10 @@ Result<bool> toSensorAxes(Recording& recording, const RobotModel* robot) {
                      heft::say("Record px, py, pz or the joint angles."));
     if (robot == nullptr || recording.q.cols() != robot->dof())
       return errorAt({recording.file, 0, 0},
-                     robot == nullptr
-                         ? heft::say("the wrench is stated in the base's axes or about its origin, and no robot says "
-                                     "where the sensor was.")
-                         : heft::say("there are {} joints, the robot \"{}\" has {}.", recording.q.cols(), robot->name(),
-                                     robot->dof()),
+                     robot == nullptr ? heft::say("the wrench is stated in the base's axes or about its origin, and "
+                                                  "there is no robot to show where the sensor was.")
+                                      : heft::say("there are {} joints, the robot \"{}\" has {}.", recording.q.cols(),
+                                                  robot->name(), robot->dof()),
                      remedy(Remedy::nameRobot));
     const auto found = mountLink(recording.meta.mount, *robot);
     if (!found) return found.error();

@@ -68,10 +68,9 @@ void undoTwist(const Examined& examined, const PlainForm& plain) {
   if (twist.rows() == 0) return;
   if (!plain.twistIsLost()) return plain.undoTwist(twist);
   twist.resize(0, 6);
-  examined.note(
-      Severity::info, "columns_set_aside", examined.column(examined.map.twist[0]),
-      heft::say("vx, vy, vz, wx, wy, wz are left aside: the pose is the base's in the sensor, and which point "
-                "and axes the velocities belong to is not said."));
+  examined.note(Severity::info, "columns_set_aside", examined.column(examined.map.twist[0]),
+                heft::say("vx, vy, vz, wx, wy, wz are left aside: the pose is the base's in the sensor, and which "
+                          "point and axes the velocities belong to is not stated."));
 }
 
 }  // namespace

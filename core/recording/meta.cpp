@@ -191,7 +191,7 @@ class MetaReader {
         note(Severity::warning, "known_payload_unphysical", path,
              heft::say("no rigid body has these values ({})", check.reason),
              heft::say(
-                 "Check which point and which axes the inertia refers to; Heft wants it about the centre of mass."));
+                 "Check which point and which axes the inertia refers to; Heft expects it about the centre of mass."));
     }
     return std::nullopt;
   }

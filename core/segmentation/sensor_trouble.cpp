@@ -70,11 +70,11 @@ std::vector<Trouble> sensorTrouble(const Recording& recording) {
   for (Eigen::Index c = 0; c < 6; ++c) {
     if (silent[static_cast<std::size_t>(c)] || cut[static_cast<std::size_t>(c)]) continue;
     for (const FrozenStretch& alone : frozenAlone(time, changesOf(wrench.col(c)), changes))
-      add(alone, heft::say("{} stands still here while others go on: it was not measured.", nameOf(c)));
+      add(alone, heft::say("{} is frozen here while others go on: it was not measured.", nameOf(c)));
   }
   for (const FrozenStretch& hung :
        hungPostures(time, recording.hasOrientation() ? MatrixXd(recording.quaternion) : recording.q))
-    add(hung, heft::say("The posture stands still here and leaps afterwards: the robot sent nothing new."));
+    add(hung, heft::say("The posture is frozen here and jumps afterwards: the robot sent nothing new."));
   for (const FlatTop& flat : tops) {
     if (cut[static_cast<std::size_t>(flat.channel)]) continue;
     const std::string reason = heft::say("{} is cut off at {:.4g} {}: the sensor is at the end of its range.",

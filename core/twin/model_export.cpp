@@ -92,8 +92,8 @@ Result<Rig> rigFrom(const json& found, const std::string& where, const ModelExpo
     return Error{heft::say("{}: its payload cannot exist: {}", where, physical.reason)};
   const auto stated = vectorIn(found, "gravity_m_s2");
   if (!found.contains("sensor_mount") || !stated)
-    return Error{
-        heft::say("{} does not say where the sensor sits; make it again with heft diagnose REC --json FILE.", where)};
+    return Error{heft::say(
+        "{} does not state where the sensor is mounted; make it again with heft diagnose REC --json FILE.", where)};
   auto mount = sensorMountFromJson(found, where);
   if (!mount) return mount.error();
   rig.mount = *mount;

@@ -211,7 +211,7 @@
         <translation>gezeigt, nicht benannt</translation>
     </message>
     <message>
-        <source>Something is left that goes with %1.</source>
+        <source>The remaining error is related to %1.</source>
         <translation>Es bleibt etwas, das mit %1 zusammenhängt.</translation>
     </message>
     <message>
@@ -484,7 +484,7 @@
         <translation>Gewicht: eingestellt, geschätzt</translation>
     </message>
     <message>
-        <source>Everything beyond the flange: the tool, and what you said under Export is mounted besides</source>
+        <source>Everything beyond the flange: the tool, and what you listed under Export as mounted</source>
         <translation>Alles jenseits des Flanschs: das Werkzeug und was laut „Ausgeben“ außerdem angebaut ist</translation>
     </message>
     <message>
@@ -500,15 +500,15 @@
         <translation>Der Eintrag stimmt, soweit diese Aufnahme es sagen kann.</translation>
     </message>
     <message>
-        <source>What differs lies within the intervals of the estimate.</source>
+        <source>The differences are within the intervals of the estimate.</source>
         <translation>Was abweicht, liegt innerhalb der Bereiche der Schätzung.</translation>
     </message>
     <message>
-        <source>The controller feels up to %1 N m that nobody exerts.</source>
+        <source>The controller sees up to %1 N m of phantom torque.</source>
         <translation>Die Steuerung spürt bis zu %1 N m, die niemand ausübt.</translation>
     </message>
     <message>
-        <source>The controller feels up to %1 that nobody exerts.</source>
+        <source>The controller sees a phantom force of up to %1.</source>
         <translation>Die Steuerung spürt bis zu %1, die niemand ausübt.</translation>
     </message>
     <message>
@@ -2047,7 +2047,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Wählen Sie, welche Spalte die Zeit ist, unter Werkzeuge, „Woher die Werte kommen“.</translation>
     </message>
     <message>
-        <source>If you know by how much, say it under Tools, “Where the numbers come from”.</source>
+        <source>If you know by how much, enter it under Tools, “Where the numbers come from”.</source>
         <translation>Wenn Sie wissen, um wie viel, sagen Sie es unter Werkzeuge, „Woher die Werte kommen“.</translation>
     </message>
     <message>
@@ -2059,11 +2059,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Wählen Sie das Glied, das den Sensor trägt, unter Werkzeuge, „Roboter und Sensor“: eines von %1.</translation>
     </message>
     <message>
-        <source>Under Tools, “Robot and sensor”, say that forces point the other way.</source>
+        <source>Set the opposite sign of the force under Tools, “Robot and sensor”.</source>
         <translation>Sagen Sie unter Werkzeuge, „Roboter und Sensor“, dass die Kräfte andersherum zeigen.</translation>
     </message>
     <message>
-        <source>Say how the robot stands under Tools, “Robot and sensor”.</source>
+        <source>Enter how the robot is mounted under Tools, “Robot and sensor”.</source>
         <translation>Sagen Sie unter Werkzeuge, „Roboter und Sensor“, wie der Roboter steht.</translation>
     </message>
     <message>
@@ -2071,7 +2071,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Berichtigen Sie unter Werkzeuge, „Roboter und Sensor“, wie der Sensor gedreht ist.</translation>
     </message>
     <message>
-        <source>If the rows are standing poses, say so under Tools, “Robot and sensor”; for another unit, “Where the numbers come from”.</source>
+        <source>If the rows are standing poses, set this under Tools, “Robot and sensor”; for another unit, “Where the numbers come from”.</source>
         <translation>Sind die Zeilen stehende Posen, sagen Sie es unter Werkzeuge, „Roboter und Sensor“; für eine andere Einheit „Woher die Werte kommen“.</translation>
     </message>
     <message>
@@ -2079,19 +2079,19 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Sollen sie draußen bleiben, malen Sie sie unter Markieren als ignoriert an.</translation>
     </message>
     <message>
-        <source>Say in Shape what the tool looks like.</source>
+        <source>Describe the tool’s shape in the step Shape.</source>
         <translation>Sagen Sie unter Form, wie das Werkzeug aussieht.</translation>
     </message>
     <message>
-        <source>If so, say it under Tools, “Robot and sensor”, “Conventions of the numbers”.</source>
+        <source>If so, enter it under Tools, “Robot and sensor”, “Conventions of the numbers”.</source>
         <translation>Wenn ja, sagen Sie es unter Werkzeuge, „Roboter und Sensor“, „Konventionen der Zahlen“.</translation>
     </message>
     <message>
-        <source>Say it under Tools, “Robot and sensor”, “Conventions of the numbers”: %1.</source>
+        <source>Enter it under Tools, “Robot and sensor”, “Conventions of the numbers”: %1.</source>
         <translation>Geben Sie es unter Werkzeuge, „Roboter und Sensor“, „Konventionen der Zahlen“ an: %1.</translation>
     </message>
     <message>
-        <source>The step Reality check reads it so with one click; or say it under Tools, “Robot and sensor”: %1.</source>
+        <source>The step Reality check applies it with one click; or enter it under Tools, “Robot and sensor”: %1.</source>
         <translation>Der Schritt Realitätsprüfung liest sie mit einem Klick so; oder geben Sie es unter Werkzeuge, „Roboter und Sensor“ an: %1.</translation>
     </message>
     <message>
@@ -2324,7 +2324,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Diese Bewegung verrät die Masse nicht.</translation>
     </message>
     <message>
-        <source>Check the warnings first: these numbers may be off by more than they say.</source>
+        <source>Check the warnings first: the errors may be larger than the intervals.</source>
         <translation>Prüfen Sie zuerst die Warnungen: Diese Werte können weiter daneben liegen, als sie sagen.</translation>
     </message>
     <message>
@@ -2376,7 +2376,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>%1 stützt sich auf Ihre Form</translation>
     </message>
     <message>
-        <source>The motion alone said %1 %3, your shape said %2 %3.</source>
+        <source>The motion alone gives %1 %3, your shape gives %2 %3.</source>
         <translation>Die Bewegung allein sagte %1 %3, Ihre Form %2 %3.</translation>
     </message>
     <message>
@@ -2468,7 +2468,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Ihre Angabe %1, %2 % daneben</translation>
     </message>
     <message>
-        <source>the recording says %1, %2 % away</source>
+        <source>the recording has %1, %2 % away</source>
         <translation>laut Aufnahme %1, %2 % daneben</translation>
     </message>
     <message>
@@ -2669,7 +2669,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Es bleibt nur das Rauschen des Sensors: %1.</translation>
     </message>
     <message>
-        <source>Something is left that goes with %1; no known cause accounts for it.</source>
+        <source>The remaining error is related to %1; no known cause accounts for it.</source>
         <translation>Es bleibt etwas, das mit %1 zusammenhängt; keine bekannte Ursache erklärt es.</translation>
     </message>
     <message>
@@ -3165,7 +3165,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Das Werkzeug blieb fast gleich geneigt (etwa {:.0f} Grad Änderung); sein Gewicht lässt sich so nicht vom Nullpunkt des Sensors trennen.</translation>
     </message>
     <message>
-        <source>The tool was not tilted into enough directions to tell where its centre of mass lies along {}.</source>
+        <source>The tool was not tilted in enough directions to determine its centre of mass along {}.</source>
         <translation>Das Werkzeug wurde nicht in genug Richtungen geneigt, um zu sagen, wo sein Schwerpunkt entlang {} liegt.</translation>
     </message>
     <message>
@@ -3225,7 +3225,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} ({:.0f} Sigma)</translation>
     </message>
     <message>
-        <source>What you gave and what the motion says disagree about: {}.</source>
+        <source>What you entered and what the motion shows disagree about: {}.</source>
         <translation>Ihre Angaben und die Bewegung widersprechen sich bei: {}.</translation>
     </message>
     <message>
@@ -3433,7 +3433,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Prüfen Sie sie, bevor der Roboter sich darauf verlässt.</translation>
     </message>
     <message>
-        <source>The result does not say where the sensor sits; its frame was taken for the flange&apos;s.</source>
+        <source>The result does not state where the sensor is mounted; its frame was taken for the flange&apos;s.</source>
         <translation>Das Ergebnis sagt nicht, wo der Sensor sitzt; seine Achsen wurden für die des Flansches genommen.</translation>
     </message>
     <message>
@@ -3545,7 +3545,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Wandeln Sie sie mit dem Programm „mcap“ in zstd oder lz4 um.</translation>
     </message>
     <message>
-        <source>The file is cut off or damaged at byte {} of {}; what stands before was read.</source>
+        <source>The file is cut off or damaged at byte {} of {}; everything before that was read.</source>
         <translation>Die Datei ist bei Byte {} von {} abgeschnitten oder beschädigt; gelesen wurde, was davor steht.</translation>
     </message>
     <message>
@@ -3857,7 +3857,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>kein starrer Körper hat diese Werte ({})</translation>
     </message>
     <message>
-        <source>Check which point and which axes the inertia refers to; Heft wants it about the centre of mass.</source>
+        <source>Check which point and which axes the inertia refers to; Heft expects it about the centre of mass.</source>
         <translation>Prüfen Sie, auf welchen Punkt und welche Achsen sich die Trägheit bezieht; Heft will sie um den Schwerpunkt.</translation>
     </message>
     <message>
@@ -4505,7 +4505,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Eine vorgeschlagene Bewegung braucht ein Tempo über null und mindestens eine Sekunde.</translation>
     </message>
     <message>
-        <source>The posture lies outside the joints&apos; ranges: no motion can start there.</source>
+        <source>The posture is outside the joints&apos; ranges: no motion can start there.</source>
         <translation>Die Haltung liegt außerhalb der Gelenkbereiche: Von dort kann keine Bewegung beginnen.</translation>
     </message>
     <message>
@@ -4785,7 +4785,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>von Kraft und Moment fehlt {}.</translation>
     </message>
     <message>
-        <source>Add its file with --join FILE, or say which columns it has with --use.</source>
+        <source>Add its file with --join FILE, or name its columns with --use.</source>
         <translation>Fügen Sie die Datei davon mit --join DATEI hinzu, oder sagen Sie mit --use, in welchen Spalten es steht.</translation>
     </message>
     <message>
@@ -4869,7 +4869,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>So ein Ordner hat metadata.yaml und .db3- oder .mcap-Dateien; geben Sie sonst die Datei der Aufnahme an.</translation>
     </message>
     <message>
-        <source>The bag is cut off or damaged at byte {} of {}; what stands before was read.</source>
+        <source>The bag is cut off or damaged at byte {} of {}; everything before that was read.</source>
         <translation>Das Bag ist bei Byte {} von {} abgeschnitten oder beschädigt; was davor steht, wurde gelesen.</translation>
     </message>
     <message>
@@ -6025,7 +6025,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Das Werkzeug durch einen größeren Raum bewegen, dorthin, wo das Kabel straff ist, und dorthin, wo es durchhängt.</translation>
     </message>
     <message>
-        <source>The difference goes with the place of the tool: the same spot, the same pull, at any speed.</source>
+        <source>The difference depends on the position of the tool: the same place, the same pull, at any speed.</source>
         <translation>Die Abweichung hängt vom Ort des Werkzeugs ab: dieselbe Stelle, derselbe Zug, bei jeder Geschwindigkeit.</translation>
     </message>
     <message>
@@ -6449,16 +6449,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>--use wrench={} nimmt es trotzdem.</translation>
     </message>
     <message>
-        <source>Name it time (in seconds), or say which it is with --use time=NAME.</source>
+        <source>Name it time (in seconds), or choose it with --use time=NAME.</source>
         <translation>Nennen Sie sie time (in Sekunden), oder sagen Sie mit --use time=NAME, welche es ist.</translation>
     </message>
     <message>
         <source>Set sensor.mount.parent in the setup file to one of: {}.</source>
         <translation>Setzen Sie sensor.mount.parent in der Meta-Datei auf eines von: {}.</translation>
-    </message>
-    <message>
-        <source>For standing poses say &quot;kind&quot;: &quot;poses&quot; in the setup file.</source>
-        <translation>Für stehende Posen sagen Sie &quot;kind&quot;: &quot;poses&quot; in der Meta-Datei.</translation>
     </message>
     <message>
         <source>The sensor&apos;s mount names the link &quot;{}&quot;, which the robot &quot;{}&quot; does not have.</source>
@@ -6677,7 +6673,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} hat sie, aber es ist {}.</translation>
     </message>
     <message>
-        <source>said by the user</source>
+        <source>chosen by the user</source>
         <translation>so gewählt</translation>
     </message>
     <message>
@@ -6877,7 +6873,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>einem Rütteln von {:.0f} bis {:.0f} Hz</translation>
     </message>
     <message>
-        <source>{} readings are spikes; Heft replaced them by what lies beside them.</source>
+        <source>{} readings are spikes; Heft replaced them by their neighbours.</source>
         <translation>{} Messwerte sind Ausreißer; Heft hat sie durch das ersetzt, was daneben liegt.</translation>
     </message>
     <message>
@@ -6885,7 +6881,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die aufgezeichnete Bewegung rauscht: Beschleunigungen daraus liegen um {} N daneben, deshalb glättet Heft sie stärker, ab {} Hz.</translation>
     </message>
     <message>
-        <source>{} samples ({:.2g} %) held spikes in the wrench and were replaced by what lies beside them.</source>
+        <source>{} samples ({:.2g} %) had spikes in the wrench and were replaced by their neighbours.</source>
         <translation>{} Messwerte ({:.2g} %) enthielten Ausreißer bei Kraft oder Moment und wurden durch das ersetzt, was daneben liegt.</translation>
     </message>
     <message>
@@ -7209,11 +7205,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Stößen von außen</translation>
     </message>
     <message>
-        <source>Something that carries the tool gives and rings at {} Hz when it is struck: its mount, or what the robot stands on.</source>
+        <source>Something that carries the tool gives and rings at {} Hz when it is struck: its mount, or the robot&apos;s pedestal.</source>
         <translation>Etwas, das das Werkzeug trägt, gibt nach und schwingt mit {} Hz, wenn es angestoßen wird: seine Befestigung oder das, worauf der Roboter steht.</translation>
     </message>
     <message>
-        <source>Tap the tool, then what the robot stands on: which of them rings at this pitch? Tighten its screws.</source>
+        <source>Tap the tool, then the robot&apos;s pedestal: which of them rings at this pitch? Tighten its screws.</source>
         <translation>Klopfen Sie an das Werkzeug, dann an das, worauf der Roboter steht: Was davon klingt in dieser Tonhöhe? Ziehen Sie dort die Schrauben nach.</translation>
     </message>
     <message>
@@ -7221,7 +7217,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Von {:.1f} bis {:.1f} s war der Nullpunkt oder die Last noch einmal anders; dieser Abschnitt blieb außen vor.</translation>
     </message>
     <message>
-        <source>{} stands still from {:.1f} to {:.1f} s, while the others go on.</source>
+        <source>{} is frozen from {:.1f} to {:.1f} s, while the others go on.</source>
         <translation>{} steht von {:.1f} bis {:.1f} s still, während die anderen weitergehen.</translation>
     </message>
     <message>
@@ -7273,7 +7269,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Werden es beim nächsten Mal mehr: nachsehen, was klopft oder ruckt, und den Stecker des Sensors prüfen.</translation>
     </message>
     <message>
-        <source>Hardly any reading of {} leaves one value: that says nothing of the payload, so it is not used.</source>
+        <source>Hardly any reading of {} differs from one value: that shows nothing of the payload, so it is not used.</source>
         <translation>Kaum ein Messwert von {} verlässt einen Wert: das sagt nichts über die Last und wird nicht verwendet.</translation>
     </message>
     <message>
@@ -7329,7 +7325,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Zeichnen Sie px, py, pz oder die Gelenkwinkel auf.</translation>
     </message>
     <message>
-        <source>the wrench is stated in the base&apos;s axes or about its origin, and no robot says where the sensor was.</source>
+        <source>the wrench is stated in the base&apos;s axes or about its origin, and there is no robot to show where the sensor was.</source>
         <translation>Kraft und Moment sind in den Achsen des Sockels oder um dessen Ursprung angegeben, und kein Roboter sagt, wo der Sensor war.</translation>
     </message>
     <message>
@@ -7337,7 +7333,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>es gibt {} Gelenke, der Roboter „{}“ hat {}.</translation>
     </message>
     <message>
-        <source>vx, vy, vz, wx, wy, wz are left aside: the pose is the base&apos;s in the sensor, and which point and axes the velocities belong to is not said.</source>
+        <source>vx, vy, vz, wx, wy, wz are left aside: the pose is the base&apos;s in the sensor, and which point and axes the velocities belong to is not stated.</source>
         <translation>vx, vy, vz, wx, wy, wz bleiben unbenutzt: Die Pose ist die des Sockels im Sensor, und zu welchem Punkt und welchen Achsen die Geschwindigkeiten gehören, ist nicht gesagt.</translation>
     </message>
     <message>
@@ -7673,7 +7669,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Nehmen Sie eine längere Bewegung auf, die das Werkzeug neigt und dreht.</translation>
     </message>
     <message>
-        <source>The value of the mass lies outside its own interval.</source>
+        <source>The value of the mass is outside its own interval.</source>
         <translation>Der Wert der Masse liegt außerhalb seines eigenen Bereichs.</translation>
     </message>
     <message>
@@ -7693,7 +7689,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Diese Aufnahme kann die angegebenen Konventionen nicht von anderen unterscheiden.</translation>
     </message>
     <message>
-        <source>{} says that its numbers cannot be trusted, so no payload is written from it: see its findings first.</source>
+        <source>The numbers in {} cannot be trusted, so no payload is written from it: see its findings first.</source>
         <translation>{} sagt, dass seinen Zahlen nicht zu trauen ist; deshalb wird daraus keine Last geschrieben: Sehen Sie sich zuerst die Befunde an.</translation>
     </message>
     <message>
@@ -7701,7 +7697,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Aufnahme {} wurde weggelassen:</translation>
     </message>
     <message>
-        <source>The estimate itself says that its numbers cannot be trusted.</source>
+        <source>The estimate&apos;s own findings say that its numbers cannot be trusted.</source>
         <translation>Die Schätzung selbst sagt, dass ihren Zahlen nicht zu trauen ist.</translation>
     </message>
     <message>
@@ -7961,11 +7957,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Hier wurde nichts aufgezeichnet.</translation>
     </message>
     <message>
-        <source>{} stands still here while others go on: it was not measured.</source>
+        <source>{} is frozen here while others go on: it was not measured.</source>
         <translation>{} steht hier still, während andere Kanäle weiterlaufen: Der Kanal wurde nicht gemessen.</translation>
     </message>
     <message>
-        <source>The posture stands still here and leaps afterwards: the robot sent nothing new.</source>
+        <source>The posture is frozen here and jumps afterwards: the robot sent nothing new.</source>
         <translation>Die Haltung steht hier still und springt danach: Der Roboter hat nichts Neues gesendet.</translation>
     </message>
     <message>
@@ -8235,10 +8231,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The row below the names was read as the columns&apos; units.</source>
         <translation>Die Zeile unter den Namen wurde als Einheiten der Spalten gelesen.</translation>
-    </message>
-    <message>
-        <source>Nothing says where the sensor sits; it is taken to be at the origin of the robot&apos;s link &quot;{}&quot;.</source>
-        <translation>Nirgends steht, wo der Sensor sitzt; angenommen wird der Ursprung des Robotergliedes „{}“.</translation>
     </message>
     <message>
         <source>State sensor.mount in the setup file.</source>
@@ -8613,7 +8605,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Kräfte passen zu einem Beschleunigungssensor bei {:.0f}, {:.0f}, {:.0f} mm vom Ursprung des Sensors.</translation>
     </message>
     <message>
-        <source>its name says that it is not on the tool</source>
+        <source>by its name it is not on the tool</source>
         <translation>sein Name sagt, dass er nicht am Werkzeug sitzt</translation>
     </message>
     <message>
@@ -8785,7 +8777,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{}: Die Masse muss größer als null sein.</translation>
     </message>
     <message>
-        <source>A proof compares with what the motion alone says: method map, all parameters, no shape.</source>
+        <source>A proof compares with what the motion alone shows: method map, all parameters, no shape.</source>
         <translation>Ein Nachweis vergleicht mit dem, was die Bewegung allein sagt: Verfahren map, alle Parameter, keine Form.</translation>
     </message>
     <message>
@@ -8865,7 +8857,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Masse, Schwerpunkt und Trägheit sind gemessen.</translation>
     </message>
     <message>
-        <source>Check the warnings below first: the numbers may be off by more than they say.</source>
+        <source>Check the warnings below first: the errors may be larger than the intervals.</source>
         <translation>Prüfen Sie zuerst die Warnungen unten: Die Zahlen können um mehr danebenliegen, als sie sagen.</translation>
     </message>
     <message>
@@ -8953,7 +8945,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Geben Sie Einbaulage und Schwerkraft in der Meta-Datei an, oder nehmen Sie eine Bewegung auf, die das Werkzeug stärker neigt und dreht.</translation>
     </message>
     <message>
-        <source>{} does not say where the sensor sits; make it again with heft diagnose REC --json FILE.</source>
+        <source>{} does not state where the sensor is mounted; make it again with heft diagnose REC --json FILE.</source>
         <translation>{} sagt nicht, wo der Sensor sitzt; erzeugen Sie die Datei neu mit heft diagnose REC --json FILE.</translation>
     </message>
     <message>
@@ -9129,7 +9121,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Um Verzögerungen zu beurteilen, zeichnen Sie Kraft und Bewegung mit einer Uhr auf.</translation>
     </message>
     <message>
-        <source>its name says that it does not move</source>
+        <source>by its name it does not move</source>
         <translation>ihrem Namen nach bewegt sie sich nicht</translation>
     </message>
     <message>
@@ -9283,6 +9275,14 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>If it begins elsewhere, record the joints, or the whole pose as one transform.</source>
         <translation>Beginnt sie anderswo, zeichnen Sie die Gelenke auf oder die ganze Stellung als eine Transformation.</translation>
+    </message>
+    <message>
+        <source>For standing poses write &quot;kind&quot;: &quot;poses&quot; into the setup file.</source>
+        <translation>Für stehende Posen sagen Sie &quot;kind&quot;: &quot;poses&quot; in der Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s mounting is not stated; it is assumed to be at the origin of the robot&apos;s link &quot;{}&quot;.</source>
+        <translation>Nirgends steht, wo der Sensor sitzt; angenommen wird der Ursprung des Robotergliedes „{}“.</translation>
     </message>
 </context>
 <context>
@@ -10431,7 +10431,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Vormachen</translation>
     </message>
     <message>
-        <source>The virtual arm makes the suggested motion by itself</source>
+        <source>The virtual arm performs the suggested motion</source>
         <translation>Der virtuelle Arm macht die vorgeschlagene Bewegung von selbst</translation>
     </message>
     <message>
@@ -10537,7 +10537,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         </translation>
     </message>
     <message>
-        <source>The tool was changed at %1 s. What stands above is of the new one.</source>
+        <source>The tool was changed at %1 s. The numbers above are for the new one.</source>
         <translation>Das Werkzeug wurde bei %1 s gewechselt. Die Angaben oben gelten für das neue.</translation>
     </message>
     <message>
@@ -10549,7 +10549,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Kommt noch</translation>
     </message>
     <message>
-        <source>Heft takes a pose by itself once the tool has stood still for a second.</source>
+        <source>Heft captures a pose automatically once the tool has been still for a second.</source>
         <translation>Heft nimmt eine Haltung von selbst auf, sobald das Werkzeug eine Sekunde stillsteht.</translation>
     </message>
     <message>
@@ -11799,7 +11799,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Die Zahlen bedeuten etwas anderes</translation>
     </message>
     <message>
-        <source>Read the recording as physics says first; the rest of this page takes it as read so.</source>
+        <source>First let Heft read the recording as physics requires; the rest of this page assumes it.</source>
         <translation>Lesen Sie die Aufnahme zuerst so, wie die Physik es sagt; der Rest dieser Seite geht davon aus.</translation>
     </message>
     <message>
@@ -11834,7 +11834,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Die Abweichung zeigen</translation>
     </message>
     <message>
-        <source>What stands below the arm</source>
+        <source>What is shown below the arm</source>
         <translation>Was unter dem Arm steht</translation>
     </message>
     <message>
@@ -12123,7 +12123,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>live erwartet virtual, poses, replay, pass, guide, show, change, stop oder discard.</translation>
     </message>
     <message>
-        <source>Move the arm as the coach says, then press “Stop and keep”</source>
+        <source>Move the arm as the coach suggests, then press “Stop and save”</source>
         <translation>Bewegen Sie den Arm, wie der Trainer sagt, und drücken Sie dann „Beenden und behalten“</translation>
     </message>
     <message>
@@ -12151,7 +12151,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Aufnahme gespeichert: %1</translation>
     </message>
     <message>
-        <source>Nobody said how the sensor sits on the flange, so Heft took its axes for the flange’s. A sensor that sits elsewhere makes the inertia and the exported numbers wrong.</source>
+        <source>The sensor’s mounting on the flange is not stated, so Heft assumes the flange’s own axes. If the sensor is mounted otherwise, the inertia and the exported numbers are wrong.</source>
         <translation>Niemand hat gesagt, wie der Sensor am Flansch sitzt; Heft hat seine Achsen für die des Flansches genommen. Sitzt er anders, werden Trägheit und exportierte Zahlen falsch.</translation>
     </message>
     <message>
@@ -12277,7 +12277,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Ein Werkzeug: ein Ergebnis aus allen</translation>
     </message>
     <message>
-        <source>Each recording keeps its own sensor zero and noise; mass, centre of mass and inertia are shared. A recording that contradicts the others is left out, and said.</source>
+        <source>Each recording keeps its own sensor zero and noise; mass, centre of mass and inertia are shared. A recording that contradicts the others is left out, with a note.</source>
         <translation>Jede Aufnahme behält ihren eigenen Nullpunkt und ihr Rauschen; Masse, Schwerpunkt und Trägheit sind gemeinsam. Eine Aufnahme, die den anderen widerspricht, wird weggelassen; Heft sagt es dann.</translation>
     </message>
     <message>
@@ -13365,7 +13365,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Seine Achsen gelten als parallel zu denen des Flansches; ein verdrehter Sensor braucht eine Aufbaudatei.</translation>
     </message>
     <message>
-        <source>Say where the sensor’s measuring point is, or choose a rig file.</source>
+        <source>Enter where the sensor’s measuring point is, or choose a setup file.</source>
         <translation>Sagen Sie, wo der Messpunkt des Sensors ist, oder wählen Sie eine Aufbaudatei.</translation>
     </message>
     <message>
@@ -13738,7 +13738,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::Tour</name>
     <message>
-        <source>Everything begins with a recording: the arm moved with its tool while the sensor measured. In this sample a hose pulls at the tool, and nobody told Heft. Press the space bar to see the arm move.</source>
+        <source>Everything begins with a recording: the arm moved with its tool while the sensor measured. In this sample a hose pulls at the tool, and Heft does not know that. Press the space bar to see the arm move.</source>
         <translation>Alles beginnt mit einer Aufnahme: Der Arm bewegte sich mit seinem Werkzeug, der Sensor maß. In diesem Beispiel zieht ein Schlauch am Werkzeug, und niemand hat es Heft gesagt. Die Leertaste lässt den Arm laufen.</translation>
     </message>
     <message>
@@ -13746,11 +13746,11 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Nur Abschnitte, in denen das Werkzeug nichts berührt, verraten sein Gewicht. Heft hat sie sortiert; hier ist alles frei. In eigenen Aufnahmen übermalen Sie, was Heft falsch einordnet.</translation>
     </message>
     <message>
-        <source>If you know roughly what the tool looks like, say it here: it helps where the motion shows too little. “I don’t know” is a fine answer, and right for now.</source>
+        <source>If you know roughly what the tool looks like, describe it here: it helps where the motion shows too little. “I don’t know” is a fine answer, and right for now.</source>
         <translation>Wenn Sie ungefähr wissen, wie das Werkzeug aussieht, sagen Sie es hier: Es hilft, wo die Bewegung zu wenig zeigt. „Weiß ich nicht“ ist eine gute Antwort, und für jetzt die richtige.</translation>
     </message>
     <message>
-        <source>The weight, and how sure Heft is. The triangles say: check first, something besides a rigid tool is at work. The tool of this sample really weighs 0.800 kg.</source>
+        <source>The weight, and how certain Heft is. The triangles mean: check first, something besides a rigid tool is at work. The tool of this sample really weighs 0.800 kg.</source>
         <translation>Das Gewicht, und wie sicher Heft ist. Die Dreiecke sagen: erst prüfen, hier wirkt etwas außer einem starren Werkzeug. In Wahrheit wiegt das Werkzeug dieses Beispiels 0,800 kg.</translation>
     </message>
     <message>
@@ -13782,7 +13782,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>Here Heft says what it is, and draws it on the arm. Press “Apply this correction”, look at the curves below the arm, then at step 4: the number has come close to the truth.</source>
+        <source>Here Heft names the cause and draws it on the arm. Press “Apply this correction”, look at the curves below the arm, then at step 4: the number has come close to the truth.</source>
         <translation>Hier sagt Heft, was es ist, und zeichnet es an den Arm. Wenden Sie die Korrektur an, sehen Sie auf die Kurven unter dem Arm und dann auf Schritt 4: Der Wert ist nahe an der Wahrheit.</translation>
     </message>
 </context>

@@ -15,22 +15,22 @@ QString textFor(Step step) {
     case Step::record:
       return Tour::tr(
           "Everything begins with a recording: the arm moved with its tool while the sensor measured. In this sample a "
-          "hose pulls at the tool, and nobody told Heft. Press the space bar to see the arm move.");
+          "hose pulls at the tool, and Heft does not know that. Press the space bar to see the arm move.");
     case Step::mark:
       return Tour::tr(
           "Only segments in which the tool touched nothing tell its weight. Heft has sorted them; everything is free "
           "here. In your own recordings you can paint over what Heft took wrongly.");
     case Step::shape:
       return Tour::tr(
-          "If you know roughly what the tool looks like, say it here: it helps where the motion shows too little. "
+          "If you know roughly what the tool looks like, describe it here: it helps where the motion shows too little. "
           "“I don’t know” is a fine answer, and right for now.");
     case Step::result:
       return Tour::tr(
-          "The weight, and how sure Heft is. The triangles say: check first, something besides a rigid tool is at "
+          "The weight, and how certain Heft is. The triangles mean: check first, something besides a rigid tool is at "
           "work. The tool of this sample really weighs 0.800 kg.");
     case Step::realityCheck:
       return Tour::tr(
-          "Here Heft says what it is, and draws it on the arm. Press “Apply this correction”, look at the curves below "
+          "Here Heft names the cause and draws it on the arm. Press “Apply this correction”, look at the curves below "
           "the arm, then "
           "at step 4: the number has come close to the truth.");
     case Step::exportFile:

@@ -60,7 +60,7 @@ std::vector<DetailText> rowsOf(const EntryCost& cost) {
   out.push_back(
       {EntryWords::tr("Weight: set, estimated"),
        QStringLiteral("%1, %2").arg(massText(cost.told.mass, 3), massText(cost.actual.mass, 3)),
-       EntryWords::tr("Everything beyond the flange: the tool, and what you said under Export is mounted besides")});
+       EntryWords::tr("Everything beyond the flange: the tool, and what you listed under Export as mounted")});
   if (cost.centreTold && cost.told.mass > 0.0) {
     const ShownUnit unit = lengthUnit();
     out.push_back({EntryWords::tr("Centre off by"),
@@ -99,14 +99,14 @@ EntryText describeEntry(const EntryCost& cost, const ControllerLimits& limits) {
   out.note = missing.join(' ');
   if (!cost.differs) {
     out.headline = EntryWords::tr("The entry agrees with this recording.");
-    out.consequence = EntryWords::tr("What differs lies within the intervals of the estimate.");
+    out.consequence = EntryWords::tr("The differences are within the intervals of the estimate.");
     return out;
   }
   out.grade = cost.share() >= 1.0 ? EntryText::Grade::stops : EntryText::Grade::costs;
   out.headline =
       cost.torqueShare > cost.forceShare
-          ? EntryWords::tr("The controller feels up to %1 N m that nobody exerts.").arg(numberText(cost.torque, 2))
-          : EntryWords::tr("The controller feels up to %1 that nobody exerts.").arg(newtons(cost.force));
+          ? EntryWords::tr("The controller sees up to %1 N m of phantom torque.").arg(numberText(cost.torque, 2))
+          : EntryWords::tr("The controller sees a phantom force of up to %1.").arg(newtons(cost.force));
   out.consequence = (collisions(cost, limits) + " " + sagging(cost, limits)).trimmed();
   return out;
 }

@@ -275,7 +275,7 @@ std::vector<ShareText> shareTexts(const EstimateReport& report) {
       const double shift = report.evidence.shift(k);
       if (std::isfinite(shift)) farthest = std::max(farthest, std::abs(shift));
       if (!std::isfinite(data) || !std::isfinite(told)) continue;
-      lines << ResultWords::tr("The motion alone said %1 %3, your shape said %2 %3.")
+      lines << ResultWords::tr("The motion alone gives %1 %3, your shape gives %2 %3.")
                    .arg(numberText(data, 3), numberText(told, 3), unit);
       if (std::isfinite(shift)) lines << ResultWords::tr("That moved the result by %1 σ.").arg(numberText(shift, 1));
     }
@@ -389,7 +389,7 @@ ResultText describeResult(const EstimateReport& report, const KnownPayload& know
   if (stated.mass && *stated.mass > 0) {
     const double away = 100.0 * std::abs(report.payload.mass - *stated.mass) / *stated.mass;
     out.massNote = (known.byUser ? ResultWords::tr("you stated %1, %2 % away")
-                                 : ResultWords::tr("the recording says %1, %2 % away"))
+                                 : ResultWords::tr("the recording has %1, %2 % away"))
                        .arg(massText(*stated.mass, 3), numberText(away, 1));
   }
 
@@ -465,7 +465,7 @@ ResultText describeResult(const EstimateReport& report, const KnownPayload& know
     out.question = ResultWords::tr("Your tool seems to weigh %1.")
                        .arg(weight.replace(' ', QChar(0xA0)));  // The unit does not stand alone on the next line.
   if (out.doubtful || open.moved.maxCoeff() > kOutside)
-    out.answer = ResultWords::tr("Check the warnings first: these numbers may be off by more than they say.");
+    out.answer = ResultWords::tr("Check the warnings first: the errors may be larger than the intervals.");
   if (!joined.isEmpty()) out.answer += QChar(' ') + joined;
   std::stable_sort(out.findings.begin(), out.findings.end(), [](const FindingText& a, const FindingText& b) {
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);

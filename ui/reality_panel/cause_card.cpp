@@ -528,7 +528,7 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
   card.layout->addLayout(tagRow(makeVerdictTag(Say::tr("Something unknown"), Light::unknown, false, card.frame),
                                 Say::tr("shown, not named"), {}, card.frame));
   card.layout->addWidget(
-      wrappedLabel(Say::tr("Something is left that goes with %1.").arg(goesWithText(report.remaining.goesWith)),
+      wrappedLabel(Say::tr("The remaining error is related to %1.").arg(goesWithText(report.remaining.goesWith)),
                    "cardTitle", card.frame));
   const auto spectrum = diagnosis::spectrumOf(report.series, false);
   const Eigen::Index lines = spectrum.frequency.size();

@@ -221,7 +221,7 @@ void RealityPanel::showReport(const Found& found) {
         tr("The numbers mean something else"),
         report.mistake->tied
             ? tr("More than one reading fits, each with another weight. State the right one; Heft does not guess.")
-            : tr("Read the recording as physics says first; the rest of this page takes it as read so.")};
+            : tr("First let Heft read the recording as physics requires; the rest of this page assumes it.")};
   QVBoxLayout* column = page()->restart(verdict.question, verdict.answer);
   QWidget* content = page()->content();
   if (const auto seed = practiceSeed(workspace().opened()->path); seed && !found.guess.empty())
@@ -245,7 +245,7 @@ void RealityPanel::showReport(const Found& found) {
       column, content, report, details_, [this] { saveMeta(); }, parts().editRig);
   auto* closer = new QPushButton(looking_ ? tr("Show force and torque") : tr("Show the difference"), content);
   closer->setObjectName("lookCloser");
-  closer->setToolTip(tr("What stands below the arm"));
+  closer->setToolTip(tr("What is shown below the arm"));
   closer->setVisible(!isOfPoses());  // Poses have no course in time.
   connect(closer, &QPushButton::clicked, this, [this] {
     look(!looking_);

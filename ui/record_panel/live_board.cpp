@@ -72,7 +72,7 @@ void LiveBoard::buildCard(QVBoxLayout* column) {
   if (run_->virtualArm()) {
     show_ = new QPushButton(run_->poses() ? tr("Go there") : tr("Show me"), this);
     show_->setObjectName("smallButton");
-    show_->setToolTip(tr("The virtual arm makes the suggested motion by itself"));
+    show_->setToolTip(tr("The virtual arm performs the suggested motion"));
     connect(show_, &QPushButton::clicked, this, [this] { run_->makeAdvised(); });
     row->addWidget(show_);
   }
@@ -274,7 +274,7 @@ void LiveBoard::refreshKnown() {
     text = tr("%n segment(es) look touched. You can check them in Mark.", "", static_cast<int>(view.touched.size()));
   }
   if (view.state.toolChanged) {
-    text = tr("The tool was changed at %1 s. What stands above is of the new one.")
+    text = tr("The tool was changed at %1 s. The numbers above are for the new one.")
                .arg(numberText(*view.state.toolChanged, 1)) +
            (text.isEmpty() ? QString() : QStringLiteral("\n") + text);
   }
@@ -299,8 +299,9 @@ void LiveBoard::refreshPoses() {
     poseLights_[k]->setToolTip(there ? tr("Pose %1: %2").arg(first + k + 1).arg(poseWords(view.poses[first + k]))
                                      : tr("Still to come"));
   }
-  lastPose_->setText(view.poses.empty() ? tr("Heft takes a pose by itself once the tool has stood still for a second.")
-                                        : tr("Pose %1: %2").arg(view.poses.size()).arg(poseWords(view.poses.back())));
+  lastPose_->setText(view.poses.empty()
+                         ? tr("Heft captures a pose automatically once the tool has been still for a second.")
+                         : tr("Pose %1: %2").arg(view.poses.size()).arg(poseWords(view.poses.back())));
   removeLast_->setVisible(!view.poses.empty());
   spread_->setText(spreadWords(view));
   const PoseResult& result = view.poseResult;

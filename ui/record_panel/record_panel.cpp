@@ -119,7 +119,7 @@ StepState RecordPanel::state() const {
 QString RecordPanel::hint() const {
   if (!run_->running()) return {};
   return virtualRun() ? tr("Drag the tool, or use arrow keys; with Shift they turn it")
-                      : tr("Move the arm as the coach says, then press “Stop and keep”");
+                      : tr("Move the arm as the coach suggests, then press “Stop and save”");
 }
 
 QString RecordPanel::facts() const {
@@ -316,11 +316,10 @@ void RecordPanel::stopAndKeep() {
   parts().offer(Severity::info, tr("Recording saved: %1").arg(file), tr("Show in folder"),
                 [file] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file).absolutePath())); });
   if (assumed && parts().editRig)
-    parts().offer(
-        Severity::warning,
-        tr("Nobody said how the sensor sits on the flange, so Heft took its axes for the flange’s. A sensor that "
-           "sits elsewhere makes the inertia and the exported numbers wrong."),
-        tr("Say it now …"), parts().editRig);
+    parts().offer(Severity::warning,
+                  tr("The sensor’s mounting on the flange is not stated, so Heft assumes the flange’s own axes. If the "
+                     "sensor is mounted otherwise, the inertia and the exported numbers are wrong."),
+                  tr("Say it now …"), parts().editRig);
 }
 
 void RecordPanel::keepUnderWay() {

@@ -74,7 +74,7 @@ void RecordingList::addTogether() {
   together->setChecked(workspace_->session().joined);
   together->setToolTip(
       tr("Each recording keeps its own sensor zero and noise; mass, centre of mass and inertia are shared. "
-         "A recording that contradicts the others is left out, and said."));
+         "A recording that contradicts the others is left out, with a note."));
   connect(together, &QCheckBox::toggled, this, [this](bool on) { workspace_->setJoined(on); });
   layout()->addWidget(together);
   const Session& session = workspace_->session();

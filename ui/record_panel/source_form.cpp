@@ -293,7 +293,7 @@ Result<RecordingMeta> SourceForm::meta() const {
     meta = std::move(*read);
   } else if (kind_ != Kind::replay) {
     if (mountAnswer_ < 0)
-      return Error{tr("Say where the sensor’s measuring point is, or choose a rig file.").toStdString()};
+      return Error{tr("Enter where the sensor’s measuring point is, or choose a setup file.").toStdString()};
     if (mountAnswer_ == 1) meta.mount.xyz.z() = 1e-3 * lastDistance_;
   }
   if (meta.kind == RecordingKind::poses) return Error{tr("Standing poses cannot be played as a motion.").toStdString()};

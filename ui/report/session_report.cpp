@@ -186,7 +186,7 @@ QString diagnosisPart(const Workspace& workspace, const DiagnosisReport& report)
   for (const auto& cause : report.causes)
     out += causePart(report, cause, std::find(applied.begin(), applied.end(), cause.id) != applied.end());
   if (report.verdict == Verdict::unexplained)
-    out += paragraph(Words::tr("Something is left that goes with %1; no known cause accounts for it.")
+    out += paragraph(Words::tr("The remaining error is related to %1; no known cause accounts for it.")
                          .arg(goesWithText(report.remaining.goesWith)));
   if (!report.causes.empty()) {
     const ChangeText change = payloadChange(report);

@@ -22,7 +22,7 @@ QString words(Remedy way, const QString& subject) {
     case Remedy::chooseTime:
       return Words::tr("Choose which column is the time, under Tools, “Where the numbers come from”.");
     case Remedy::stateOffset:
-      return Words::tr("If you know by how much, say it under Tools, “Where the numbers come from”.");
+      return Words::tr("If you know by how much, enter it under Tools, “Where the numbers come from”.");
     case Remedy::stateRate:
       return Words::tr("If the file has no clock, state its rate, rate_hz, in the map file beside it.");
     case Remedy::nameRobot:
@@ -31,29 +31,29 @@ QString words(Remedy way, const QString& subject) {
       return Words::tr("Choose the link that carries the sensor under Tools, “Robot and sensor”: one of %1.")
           .arg(subject);
     case Remedy::stateConvention:
-      return Words::tr("If so, say it under Tools, “Robot and sensor”, “Conventions of the numbers”.");
+      return Words::tr("If so, enter it under Tools, “Robot and sensor”, “Conventions of the numbers”.");
     case Remedy::turnWrench:
-      return Words::tr("Under Tools, “Robot and sensor”, say that forces point the other way.");
+      return Words::tr("Set the opposite sign of the force under Tools, “Robot and sensor”.");
     case Remedy::turnGravity:
-      return Words::tr("Say how the robot stands under Tools, “Robot and sensor”.");
+      return Words::tr("Enter how the robot is mounted under Tools, “Robot and sensor”.");
     case Remedy::correctMount:
       return Words::tr("Correct how the sensor is turned under Tools, “Robot and sensor”.");
     case Remedy::sayStandingPoses:
       return Words::tr(
-          "If the rows are standing poses, say so under Tools, “Robot and sensor”; for another unit, “Where the "
+          "If the rows are standing poses, set this under Tools, “Robot and sensor”; for another unit, “Where the "
           "numbers come from”.");
     case Remedy::keepEndsOut:
       return Words::tr("To keep them out, paint them as ignored in Mark.");
     case Remedy::giveCentre:
-      return Words::tr("Say in Shape what the tool looks like.");
+      return Words::tr("Describe the tool’s shape in the step Shape.");
     case Remedy::readSo:
       return Words::tr(
-                 "The step Reality check reads it so with one click; or say it under Tools, “Robot and sensor”: %1.")
+                 "The step Reality check applies it with one click; or enter it under Tools, “Robot and sensor”: %1.")
           .arg(subject);
     case Remedy::keepReading:
-      return Words::tr("Say it under Tools, “Robot and sensor”, “Conventions of the numbers”: %1.").arg(subject);
+      return Words::tr("Enter it under Tools, “Robot and sensor”, “Conventions of the numbers”: %1.").arg(subject);
     case Remedy::giveInertia:
-      return Words::tr("Say in Shape what the tool looks like.");
+      return Words::tr("Describe the tool’s shape in the step Shape.");
   }
   return {};
 }

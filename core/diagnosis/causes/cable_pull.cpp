@@ -90,8 +90,8 @@ class CablePull final : public Cause {
         .check = heft::toSay("Does the cable or hose hang free of the wrist, with slack in every pose?"),
         .decides =
             heft::toSay("Move the tool through a larger space, to where the cable is taut and where it is slack."),
-        .looks =
-            heft::toSay("The difference goes with the place of the tool: the same spot, the same pull, at any speed."),
+        .looks = heft::toSay(
+            "The difference depends on the position of the tool: the same place, the same pull, at any speed."),
         .effect = "cable_pull"};
     return kInfo;
   }

@@ -32,14 +32,14 @@ class FlexibleMount final : public Oscillator {
   std::string sentence(const FoundValues& v) const override {
     if (v.find("strikes"))
       return heft::say(
-          "Something that carries the tool gives and rings at {} Hz when it is struck: its mount, or what the "
-          "robot stands on.",
+          "Something that carries the tool gives and rings at {} Hz when it is struck: its mount, or the robot's "
+          "pedestal.",
           numberWords(v.value("frequency"), 0));
     return heft::say("The tool's mount gives and rings at {} Hz.", numberWords(v.value("frequency"), 0));
   }
   std::string check(const FoundValues& v, const Vector3d& gravity) const override {
     return v.find("strikes") ? heft::say(
-                                   "Tap the tool, then what the robot stands on: which of them rings at this pitch? "
+                                   "Tap the tool, then the robot's pedestal: which of them rings at this pitch? "
                                    "Tighten its screws.")
                              : Cause::check(v, gravity);
   }

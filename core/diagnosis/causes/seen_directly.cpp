@@ -25,7 +25,7 @@ class Spikes final : public Cause {
     return kInfo;
   }
   std::string sentence(const FoundValues& v) const override {
-    return heft::say("{} readings are spikes; Heft replaced them by what lies beside them.",
+    return heft::say("{} readings are spikes; Heft replaced them by their neighbours.",
                      numberWords(v.value("count"), 0));
   }
 };

@@ -302,7 +302,7 @@ Claim frozenChannelOf(const Asked& asked, const WhatRemains&) {
   if (!frozen) return {};
   return {seen(heft::toSay("readings that stick at one value")),
           {warning("channel_stands_still",
-                   heft::say("{} stands still from {:.1f} to {:.1f} s, while the others go on.",
+                   heft::say("{} is frozen from {:.1f} to {:.1f} s, while the others go on.",
                              channelName(frozen->channel), frozen->from, frozen->to),
                    heft::say("Check that channel's cable and plug; mark the segment as \"ignore\"."))}};
 }
