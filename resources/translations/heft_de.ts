@@ -10569,7 +10569,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>SIE KÖNNEN AUFHÖREN</translation>
     </message>
     <message>
-        <source>Press “Stop and keep” to see the result.</source>
+        <source>Press “Stop and save” to see the result.</source>
         <translation>Drücken Sie „Beenden und behalten“, um das Ergebnis zu sehen.</translation>
     </message>
     <message>
@@ -10604,7 +10604,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Der Ordner %1 für Aufzeichnungen lässt sich nicht anlegen.</translation>
     </message>
     <message>
-        <source>The source sends %1 joints, the robot has %2: name the right robot in the rig file.</source>
+        <source>The source sends %1 joints, the robot has %2: name the right robot in the setup file.</source>
         <translation>Die Quelle sendet %1 Gelenke, der Roboter hat %2: Nennen Sie den richtigen Roboter in der Aufbaudatei.</translation>
     </message>
 </context>
@@ -13289,11 +13289,11 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Sagt, welcher Roboter es ist, wie der Sensor sitzt und welches Vorzeichen seine Kräfte haben</translation>
     </message>
     <message>
-        <source>Choose a rig file</source>
+        <source>Choose a setup file</source>
         <translation>Aufbaudatei wählen</translation>
     </message>
     <message>
-        <source>Rig files (*.json)</source>
+        <source>Setup files (*.json)</source>
         <translation>Aufbaudateien (*.json)</translation>
     </message>
     <message>
@@ -13361,7 +13361,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Heft nimmt jetzt die Achsen des Flansches an und fragt nach der Aufnahme noch einmal.</translation>
     </message>
     <message>
-        <source>Its axes are taken to lie as the flange’s; a rotated sensor needs a rig file.</source>
+        <source>Its axes are taken to lie as the flange’s; a rotated sensor needs a setup file.</source>
         <translation>Seine Achsen gelten als parallel zu denen des Flansches; ein verdrehter Sensor braucht eine Aufbaudatei.</translation>
     </message>
     <message>

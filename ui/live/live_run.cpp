@@ -128,7 +128,7 @@ bool LiveRun::prepare() {
   }
   if (samples.front().q && samples.front().joints != robot_->dof()) {
     stop();
-    emit failed(tr("The source sends %1 joints, the robot has %2: name the right robot in the rig file.")
+    emit failed(tr("The source sends %1 joints, the robot has %2: name the right robot in the setup file.")
                     .arg(samples.front().joints)
                     .arg(robot_->dof()));
     return false;

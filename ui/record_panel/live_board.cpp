@@ -238,7 +238,7 @@ void LiveBoard::refreshCard() {
   sentence_->setText(coachSentence(*advice));
   gain_->setText(coachGain(*advice));
   if (!advice->needed) {
-    gain_->setText(tr("Press “Stop and keep” to see the result."));
+    gain_->setText(tr("Press “Stop and save” to see the result."));
     return;
   }
   double share = std::clamp(run_->adviceAge() / std::max(0.1, advice->motion.duration()), 0.0, 1.0);

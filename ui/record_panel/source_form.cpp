@@ -153,7 +153,7 @@ void SourceForm::rebuild() {
   rig_ = addField(column, tr("Setup file (NAME.meta.json), optional"), "rigFile",
                   tr("Says which robot it is, how the sensor is mounted and which sign its forces have"));
   rig_->setText(lastRig_);
-  addWithChooser(rig_, tr("Choose a rig file"), tr("Rig files (*.json)"));
+  addWithChooser(rig_, tr("Choose a setup file"), tr("Setup files (*.json)"));
   if (kind_ == Kind::replay) {
     column->addWidget(wrappedLabel(tr("Without it the recording’s own is used."), "caption", fields_));
     return;
@@ -187,7 +187,7 @@ void SourceForm::addMount(QVBoxLayout* column) {
     below->setVisible(mountAnswer_ == 1);
     note->setText(mountAnswer_ == 2
                       ? tr("Heft takes it for the flange’s own axes now and asks again after the recording.")
-                      : tr("Its axes are taken to lie as the flange’s; a rotated sensor needs a rig file."));
+                      : tr("Its axes are taken to lie as the flange’s; a rotated sensor needs a setup file."));
   };
   connect(mounted_, &Segments::picked, this, [this, show](int answer) {
     mountAnswer_ = answer;
