@@ -146,7 +146,7 @@ TEST_F(ExportPanelTest, NothingIsReplacedSilently) {
   file.close();
   const auto refused = panel->obey({"export", "franka-desk", path});
   ASSERT_FALSE(refused->ok());
-  EXPECT_NE(refused->error().message.find("exists already"), std::string::npos);
+  EXPECT_NE(refused->error().message.find("already exists"), std::string::npos);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   EXPECT_EQ(file.readAll(), "mine");
   EXPECT_TRUE(panel->obey({"export", "franka-desk", path, "replace"})->ok());
