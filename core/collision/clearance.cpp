@@ -203,7 +203,31 @@ struct Clearance::Impl {
   }
 
   Nearest named(const Pair& pair, double distance) const {
-    return {bodies[pair.a].name, bodies[pair.b].name, distance, pair.margin};
+    Nearest out;
+    out.first = bodies[pair.a].name;
+    out.second = bodies[pair.b].name;
+    out.distance = distance;
+    out.margin = pair.margin;
+    return out;
+  }
+
+  /// Where the two are nearest: two points, base axes. For a picture: where they overlap, one point of the second.
+  void setPoints(const Pair& pair, const VectorXd& q, Nearest& nearest) const {
+    const CollisionBody &a = bodies[pair.a], &b = bodies[pair.b];
+    const Isometry3d X_Ba = poseOf(a, q);
+    if (b.plane) {
+      Eigen::Index lowest = 0;
+      ((X_Ba.linear().transpose() * b.plane->normal).transpose() * a.vertices).minCoeff(&lowest);
+      nearest.onFirst = X_Ba * Vector3d(a.vertices.col(lowest));
+      nearest.onSecond = nearest.onFirst - b.plane->normal.dot(nearest.onFirst - b.plane->point) * b.plane->normal;
+      return;
+    }
+    // Of two meshes of one kind FCL tells the points in base axes.
+    const fcl::DistanceRequestd request(true);
+    fcl::DistanceResultd result;
+    const bool apart = fcl::distance(a.surface.get(), X_Ba, b.surface.get(), poseOf(b, q), request, result) > 0.0;
+    nearest.onSecond = apart ? result.nearest_points[1] : Vector3d(poseOf(b, q) * b.centre);
+    nearest.onFirst = apart ? result.nearest_points[0] : nearest.onSecond;
   }
 
   /// Joints between the two bodies, and how far each reaches.
@@ -281,13 +305,25 @@ Result<Clearance> Clearance::of(const RobotModel& robot, const HeldTool& tool, c
 }
 
 Nearest Clearance::nearest(const VectorXd& q) const {
-  Nearest out{"", "", kAlways, 0.0};
+  Nearest out;
+  out.distance = kAlways;
+  const Impl::Pair* nearest = nullptr;
   for (const auto& pair : impl_->pairs) {
     Vector3d direction = Vector3d::UnitZ();
     const double least = out.distance - out.margin;
     const double d = impl_->distance(pair, q, least + pair.margin, direction);
-    if (d - pair.margin < least) out = impl_->named(pair, d);
+    if (d - pair.margin >= least) continue;
+    out = impl_->named(pair, d);
+    nearest = &pair;
   }
+  if (nearest) impl_->setPoints(*nearest, q, out);
+  return out;
+}
+
+std::vector<HullSurface> Clearance::hulls() const {
+  std::vector<HullSurface> out;
+  for (const CollisionBody& body : impl_->bodies)
+    if (body.link != kWorld) out.push_back({body.link, body.hull->vertices, body.hull->triangles});
   return out;
 }
 

@@ -640,6 +640,21 @@
     </message>
 </context>
 <context>
+    <name>GapMark</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Too near: %1</source>
+        <translation>Zu nah: %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+</context>
+<context>
     <name>Joining</name>
     <message>
         <source>%1 deserves little trust, and with it the numbers from all of them.</source>
@@ -9212,6 +9227,18 @@ Bitte prüfen Sie den Namen.</translation>
         <source>should have one that is &quot;right&quot;: true</source>
         <translation>sollte genau eine mit „right“: true enthalten</translation>
     </message>
+    <message>
+        <source>The arm is not strong enough for a motion from this posture: {}</source>
+        <translation>Der Arm ist für eine Bewegung aus dieser Haltung nicht stark genug: {}</translation>
+    </message>
+    <message>
+        <source>The arm cannot hold this load all along the taught path: {}</source>
+        <translation>Der Arm kann diese Last nicht auf dem ganzen gelehrten Weg halten: {}</translation>
+    </message>
+    <message>
+        <source>Joint {} would need {:.1f} of the {:.1f} N m that it may give, {:.1f} s into the motion.</source>
+        <translation>Gelenk {} bräuchte {:.1f} von {:.1f} N m, die es aufbringen darf, {:.1f} s nach Beginn der Bewegung.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
@@ -12039,10 +12066,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Es gibt jetzt nichts vorzumachen.</translation>
     </message>
     <message>
-        <source>live expects virtual, poses, replay, pass, guide, show, change, stop or discard.</source>
-        <translation>live erwartet virtual, poses, replay, pass, guide, show, change, stop oder discard.</translation>
-    </message>
-    <message>
         <source>Move the arm as the coach says, then press “Stop and keep”</source>
         <translation>Bewegen Sie den Arm, wie der Trainer sagt, und drücken Sie dann „Beenden und behalten“</translation>
     </message>
@@ -12164,6 +12187,22 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Show in folder</source>
         <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Choose a room</source>
+        <translation>Raum wählen</translation>
+    </message>
+    <message>
+        <source>Rooms (*.json);;All files (*)</source>
+        <translation>Räume (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose a &amp;room …</source>
+        <translation>R&amp;aum wählen …</translation>
+    </message>
+    <message>
+        <source>live expects virtual, poses, replay, pass, guide, room, show, change, stop or discard.</source>
+        <translation>live erwartet virtual, poses, replay, pass, guide, room, show, change, stop oder discard.</translation>
     </message>
 </context>
 <context>
@@ -12810,6 +12849,40 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>No joint angles recorded: a Panda is drawn that reaches these poses</source>
         <translation>Keine Gelenkwinkel aufgenommen: gezeigt wird ein Panda, der diese Lagen erreicht</translation>
+    </message>
+</context>
+<context>
+    <name>heft::RoomRow</name>
+    <message numerus="yes">
+        <source>%1: %n obstacle(s), and nothing comes nearer than %2 mm.</source>
+        <translation>
+            <numerusform>%1: %n Hindernis; nichts kommt näher als %2 mm.</numerusform>
+            <numerusform>%1: %n Hindernisse; nichts kommt näher als %2 mm.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What is in the way</source>
+        <translation>Was im Weg ist</translation>
+    </message>
+    <message>
+        <source>Choose a room …</source>
+        <translation>Raum wählen …</translation>
+    </message>
+    <message>
+        <source>Walls, tables, boxes and meshes (heft.room/1). “heft room” writes one from walls that were touched by hand.</source>
+        <translation>Wände, Tische, Quader und Netze (heft.room/1). „heft room“ schreibt einen aus Wänden, die von Hand berührt wurden.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the room</source>
+        <translation>Raum entfernen</translation>
+    </message>
+    <message>
+        <source>Walls and tables are not known: what the coach proposes keeps the arm off itself and off its tool only.</source>
+        <translation>Wände und Tische sind nicht bekannt: Was der Coach vorschlägt, hält den Arm nur von sich selbst und seinem Werkzeug fern.</translation>
     </message>
 </context>
 <context>
