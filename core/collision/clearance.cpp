@@ -138,7 +138,8 @@ struct Clearance::Impl {
   struct Pair {
     std::size_t a = 0, b = 0;
     double margin = 0.0;
-    VectorXd reach;  ///< How far a joint moves the one against the other at most [m/rad], one a column of q
+    bool ofArm = false;  ///< Both are links of the arm, nothing is of tool or room.
+    VectorXd reach;      ///< How far a joint moves the one against the other at most [m/rad], one a column of q
   };
   std::vector<Pair> pairs;
 
@@ -211,7 +212,7 @@ struct Clearance::Impl {
     return out;
   }
 
-  /// Where the two are nearest: two points, base axes. For a picture: where they overlap, one point of the second.
+  /// Where the two are nearest: two points, base axes. For a picture: where they overlap, the middle of the first.
   void setPoints(const Pair& pair, const VectorXd& q, Nearest& nearest) const {
     const CollisionBody &a = bodies[pair.a], &b = bodies[pair.b];
     const Isometry3d X_Ba = poseOf(a, q);
@@ -226,8 +227,8 @@ struct Clearance::Impl {
     const fcl::DistanceRequestd request(true);
     fcl::DistanceResultd result;
     const bool apart = fcl::distance(a.surface.get(), X_Ba, b.surface.get(), poseOf(b, q), request, result) > 0.0;
-    nearest.onSecond = apart ? result.nearest_points[1] : Vector3d(poseOf(b, q) * b.centre);
-    nearest.onFirst = apart ? result.nearest_points[0] : nearest.onSecond;
+    nearest.onFirst = apart ? result.nearest_points[0] : Vector3d(X_Ba * a.centre);
+    nearest.onSecond = apart ? result.nearest_points[1] : nearest.onFirst;
   }
 
   /// Joints between the two bodies, and how far each reaches.
@@ -284,8 +285,9 @@ Result<Clearance> Clearance::of(const RobotModel& robot, const HeldTool& tool, c
     for (std::size_t b = a + 1; b < impl->bodies.size(); ++b) {
       const CollisionBody &first = impl->bodies[a], &second = impl->bodies[b];
       // The arm's own controller keeps it off itself, and hulls are larger than links.
-      Impl::Pair pair{a, b, b < arm ? 0.0 : impl->margin, impl->reachOf(first, second)};
+      Impl::Pair pair{a, b, b < arm ? 0.0 : impl->margin, b < arm, impl->reachOf(first, second)};
       // A pedestal stands where it stands, and neighbours turn about one joint: they are made not to meet.
+      if (second.plane && !changesHeight(robot, first.link, second.plane->normal)) continue;
       if ((pair.reach.array() > 0.0).count() < (second.link == kWorld ? 1 : 2)) continue;
       Vector3d direction = Vector3d::UnitZ();
       if (second.link != kWorld && impl->distance(pair, home, kAlways, direction) <= pair.margin) {
@@ -308,11 +310,13 @@ Nearest Clearance::nearest(const VectorXd& q) const {
   Nearest out;
   out.distance = kAlways;
   const Impl::Pair* nearest = nullptr;
+  // Links of the wrist are always near each other, which tells nobody anything.
+  const bool others = std::ranges::any_of(impl_->pairs, [](const Impl::Pair& pair) { return !pair.ofArm; });
   for (const auto& pair : impl_->pairs) {
     Vector3d direction = Vector3d::UnitZ();
     const double least = out.distance - out.margin;
     const double d = impl_->distance(pair, q, least + pair.margin, direction);
-    if (d - pair.margin >= least) continue;
+    if (d - pair.margin >= least || (others && pair.ofArm && d > 0.0)) continue;
     out = impl_->named(pair, d);
     nearest = &pair;
   }

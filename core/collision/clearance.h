@@ -31,7 +31,7 @@ struct Nearest {
   std::string first, second;
   double distance = 0.0;  ///< [m]; 0: they touch or overlap
   double margin = 0.0;    ///< That the two have to keep [m]: the room's; 0 for two links of the arm
-  Vector3d onFirst = Vector3d::Zero(), onSecond = Vector3d::Zero();  ///< Where, base axes [m]; equal where they touch
+  Vector3d onFirst = Vector3d::Zero(), onSecond = Vector3d::Zero();  ///< Where, for a picture, base axes [m]
   bool tooNear() const { return distance <= margin; }
 };
 
@@ -59,8 +59,8 @@ class Clearance {
   Clearance& operator=(Clearance&&) noexcept;
   ~Clearance();
 
-  /// The two bodies that leave each other least beyond their margin; without names where none are judged. `q` has dof()
-  /// entries.
+  /// The two bodies that leave each other least beyond their margin; without names where none are judged. Where tool or
+  /// room are judged, two links of the arm count only if they touch. `q` has dof() entries.
   Nearest nearest(const VectorXd& q) const;
   /// Of arm and tool.
   std::vector<HullSurface> hulls() const;

@@ -10457,20 +10457,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Neigen Sie das Werkzeug anders und halten Sie es still</translation>
     </message>
     <message>
-        <source>Bring the arm into the middle of its range</source>
-        <translation>Bringen Sie den Arm in die Mitte seines Bereichs</translation>
-    </message>
-    <message>
         <source>Move the tool, in all directions</source>
         <translation>Bewegen Sie das Werkzeug in alle Richtungen</translation>
     </message>
     <message>
         <source>Tilt the tool about all its axes, then turn it faster</source>
         <translation>Neigen Sie das Werkzeug um alle Achsen, dann drehen Sie es schneller</translation>
-    </message>
-    <message>
-        <source>From here no motion keeps all the joints&apos; limits.</source>
-        <translation>Von hier aus hält keine Bewegung alle Gelenkgrenzen ein.</translation>
     </message>
     <message>
         <source>about %1 s more</source>
@@ -10546,6 +10538,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>NOT WHAT THE RIG SAYS</source>
         <translation>ANDERS ALS ANGEGEBEN</translation>
+    </message>
+    <message>
+        <source>Bring the arm to another posture</source>
+        <translation>Bringen Sie den Arm in eine andere Haltung</translation>
     </message>
 </context>
 <context>
@@ -12882,7 +12878,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     </message>
     <message>
         <source>Walls and tables are not known: what the coach proposes keeps the arm off itself and off its tool only.</source>
-        <translation>Wände und Tische sind nicht bekannt: Was der Coach vorschlägt, hält den Arm nur von sich selbst und seinem Werkzeug fern.</translation>
+        <translation>Wände und Tische sind nicht bekannt: Was der Trainer vorschlägt, hält den Arm nur von sich selbst und seinem Werkzeug fern.</translation>
     </message>
 </context>
 <context>

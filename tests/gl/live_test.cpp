@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
-#include <QLabel>
 #include <QPushButton>
 #include <QUndoStack>
 #include <cmath>
@@ -118,8 +117,8 @@ TEST_F(LiveWindowTest, TheRoomStandsInTheViewAndTheGapTurnsRedWithinTheMargin) {
     QFile file(path);
     EXPECT_TRUE(file.open(QIODevice::WriteOnly));
     file.write(QStringLiteral(R"({"schema": "heft.room/1", "margin_m": 0.02, "obstacles": [
-        {"name": "table", "plane": {"point_m": [0, 0, %1], "normal": [0, 0, 1]}}]})")
-                   .arg(height)
+        {"name": "table", "box": {"size_m": [0.5, 0.5, 0.02], "xyz_m": [0.55, 0, %1]}}]})")
+                   .arg(height - 0.01)
                    .toUtf8());
     return path;
   };
@@ -140,7 +139,7 @@ TEST_F(LiveWindowTest, TheRoomStandsInTheViewAndTheGapTurnsRedWithinTheMargin) {
   EXPECT_FALSE(panel->obey({"live", "room", folder.filePath("none.json")})->ok());
   EXPECT_TRUE(workspace.session().room.empty());
 
-  const auto far = gapOf(0.2);
+  const auto far = gapOf(0.25);
   ASSERT_TRUE(far);
   EXPECT_EQ(far->second, "table");
   EXPECT_FALSE(far->tooNear());
@@ -148,28 +147,28 @@ TEST_F(LiveWindowTest, TheRoomStandsInTheViewAndTheGapTurnsRedWithinTheMargin) {
   const auto labelled = [&](const QString& text) { return window.robotView()->labelTexts().filter(text).size() == 1; };
   EXPECT_TRUE(labelled("mm"));
   keepPicture(window, "live-room-far");
-  panel->run()->discard();
+  const double lowest = panel->run()->clearance()->nearest(*panel->run()->view().q).onFirst.z();
+  ASSERT_TRUE(panel->obey({"live", "discard"})->ok());
 
-  // A hand's breadth of the tool's lowest point: nothing can be proposed, and the arm itself is too near.
-  const auto near = gapOf(0.2 + far->distance - 0.012);
+  // A finger's breadth below the tool: nothing can be proposed, and the arm itself is too near.
+  const auto near = gapOf(lowest - 0.012);
   ASSERT_TRUE(near);
   EXPECT_EQ(near->second, "table");
   EXPECT_TRUE(near->tooNear()) << near->distance;
-  EXPECT_GT(red(), 20);
+  EXPECT_GT(red(), 0);
   EXPECT_TRUE(labelled("Too near"));
-  EXPECT_TRUE(panel->run()->outOfRoom());
+  EXPECT_TRUE(panel->run()->refusal().contains("table")) << panel->run()->refusal().toStdString();
+  EXPECT_TRUE(texts(Step::record).contains("12 mm"));
   keepPicture(window, "live-room-near");
-  panel->run()->discard();
+  ASSERT_TRUE(panel->obey({"live", "discard"})->ok());
   settle();
   EXPECT_FALSE(window.robotView()->gap()) << "with the run it goes";
 
   panel->setWay(RecordPanel::Way::virtualArm);
-  auto* words = panel->findChild<QLabel*>("roomWords");
-  ASSERT_TRUE(words);
-  EXPECT_TRUE(words->text().contains("room.json: 1 obstacle")) << words->text().toStdString();
+  EXPECT_TRUE(texts(Step::record).contains("room.json: 1 obstacle")) << texts(Step::record).toStdString();
   QTest::mouseClick(panel->findChild<QPushButton*>("removeRoom"), Qt::LeftButton);
   EXPECT_TRUE(workspace.session().room.empty());
-  EXPECT_FALSE(words->text().contains("room.json"));
+  EXPECT_FALSE(texts(Step::record).contains("room.json"));
   workspace.undoStack()->undo();
   EXPECT_EQ(workspace.session().room.filename(), "room.json");
 }

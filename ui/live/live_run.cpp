@@ -72,7 +72,7 @@ Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   view_ = {};
   advice_.reset();
   advisedAt_ = -1e9;
-  outOfRoom_ = false;
+  refusal_.clear();
   tools_ = 1;
   seen_ = 0;
   removals_.clear();
@@ -220,7 +220,7 @@ void LiveRun::coach() {
       },
       [this, run = run_](Result<Advice> result) {
         if (run != run_ || !session_) return pump();
-        outOfRoom_ = !result;
+        refusal_ = result ? QString() : QString::fromStdString(result.error().message);
         advice_.reset();
         if (result) advice_ = std::move(*result);
         advisedAt_ = view_.time;

@@ -72,8 +72,8 @@ class LiveRun : public QObject {
   QString file() const { return file_; }
   /// What the coach says now; nothing while it knows nothing to say.
   const std::optional<Advice>& advice() const { return advice_; }
-  /// The posture is so that no motion can be proposed.
-  bool outOfRoom() const { return outOfRoom_; }
+  /// Why no motion can be proposed from here; empty where one can.
+  const QString& refusal() const { return refusal_; }
   double adviceAge() const { return view_.time - advisedAt_; }  ///< [s]
   Recording poseRecording() const;
   /// Ends and keeps what came: the file of a motion, or of two poses or more, which is written now. Empty where there
@@ -114,12 +114,13 @@ class LiveRun : public QObject {
   Room room_;
   LiveOrigin origin_;
   std::shared_ptr<LiveLearner> learner_;
-  bool poses_ = false, paused_ = false, byClock_ = true, outOfRoom_ = false;
+  bool poses_ = false, paused_ = false, byClock_ = true;
   QString file_;
   QString folder_, name_;
   std::unique_ptr<UnderWay> underWay_;  ///< Lets the next start find the file if this program is killed.
   LiveView view_;
   std::optional<Advice> advice_;
+  QString refusal_;
   double advisedAt_ = -1e9;
   int tools_ = 1;
   std::uint64_t seen_ = 0;

@@ -24,7 +24,6 @@ RoomRow::RoomRow(Workspace* workspace, QWidget* parent) : QWidget(parent), works
   column->setContentsMargins(0, 6, 0, 0);
   column->addWidget(styledLabel(tr("What is in the way"), "sectionTitle", this));
   words_ = wrappedLabel({}, "caption", this);
-  words_->setObjectName("roomWords");
   column->addWidget(words_);
   auto* buttons = new QHBoxLayout;
   choose_ = new QPushButton(tr("Choose a room …"), this);

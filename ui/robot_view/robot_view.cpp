@@ -509,9 +509,9 @@ void RobotView::paintOver(QPainter& painter) const {
   const HandleSet::View view = viewport_->shownView();
   if (!dimensions_.empty()) paintDimensions(painter, placeDimensions(dimensions_, X_BS_, view));
   if (pull_) paintPull(painter, *pull_, X_BS_.translation(), view);
-  if (gap_) paintGap(painter, *gap_, view);
   for (const CauseMark& cause : causes_) paintCause(painter, cause, X_BS_, scene_.down, view);
   if (handles_) handles_->paint(painter, view);
+  if (gap_) paintGap(painter, *gap_, view);
 }
 
 void RobotView::showCauses(std::vector<CauseMark> causes) {

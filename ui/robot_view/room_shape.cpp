@@ -50,7 +50,7 @@ void RoomShape::restyle(const Theme& t) {
   for (Hull& hull : hulls_) {
     setColour(hull.edges.actor, t.accent);
     hull.edges.actor->GetProperty()->LightingOff();
-    hull.edges.actor->GetProperty()->SetOpacity(0.45);
+    hull.edges.actor->GetProperty()->SetOpacity(0.6);
     hull.edges.actor->ForceTranslucentOn();
   }
 }

@@ -12,9 +12,9 @@ namespace {
 
 using Triangles = std::vector<std::array<int, 3>>;
 
-/// Edges at which the surface turns by more than a third of a right angle, or ends.
+/// Edges at which the surface turns by more than eight degrees, or ends.
 std::vector<std::vector<Vector3d>> sharpEdges(const Eigen::Matrix3Xd& vertices, const Triangles& triangles) {
-  const double kFlat = std::cos(0.52);
+  const double kFlat = std::cos(0.14);
   std::map<std::pair<int, int>, std::vector<Vector3d>> normals;
   for (const auto& t : triangles) {
     const Vector3d a = vertices.col(t[0]), b = vertices.col(t[1]), c = vertices.col(t[2]);
