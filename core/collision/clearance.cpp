@@ -315,8 +315,10 @@ Nearest Clearance::nearest(const VectorXd& q) const {
   for (const auto& pair : impl_->pairs) {
     Vector3d direction = Vector3d::UnitZ();
     const double least = out.distance - out.margin;
-    const double d = impl_->distance(pair, q, least + pair.margin, direction);
-    if (d - pair.margin >= least || (others && pair.ofArm && d > 0.0)) continue;
+    // Of two links that only must not touch it is enough to know that they are apart.
+    const bool mayBeNear = others && pair.ofArm;
+    const double d = impl_->distance(pair, q, (mayBeNear ? std::min(0.0, least) : least) + pair.margin, direction);
+    if (d - pair.margin >= least || (mayBeNear && d > 0.0)) continue;
     out = impl_->named(pair, d);
     nearest = &pair;
   }
