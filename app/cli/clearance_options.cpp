@@ -7,7 +7,6 @@
 
 #include "app/cli/cli.h"
 #include "app/cli/recording_options.h"
-#include "core/base/json_file.h"
 #include "core/base/say.h"
 
 namespace heft::cli {
@@ -30,8 +29,7 @@ void addClearanceOptions(CLI::App& app, ClearanceArguments& arguments) {
 
 Surroundings::Surroundings(const ClearanceArguments& arguments, const GuidedTool& tool, Findings& findings)
     : file_(arguments.room) {
-  if (!file_.empty())
-    room_ = orFail(roomFromJson(orFail(readJsonFile(file_)), file_, std::filesystem::path(file_).parent_path()));
+  if (!file_.empty()) room_ = orFail(readRoom(file_));
   const HeldTool held{tool.link, tool.X_LS, shapeChoice(arguments.shape, arguments.shapeFile)};
   auto made = Clearance::of(*tool.robot, held, room_, findings);
   if (made) {

@@ -124,9 +124,7 @@ void coachPoses(const CoachArguments& options, const Input& input) {
     tool = toolOf(input);
     around.emplace(options.clearance, *tool, findings);
   }
-  PoseGuideOptions wanted;
-  wanted.clearance = around ? around->clearance() : nullptr;
-  PoseGuide guide(tool, recording.meta.gravity, wanted);
+  PoseGuide guide(tool, recording.meta.gravity);
   for (const auto& pose : orFail(posesOf(recording, input.model()))) guide.add(pose);
   const PoseResult& result = guide.result();
   std::string text;
@@ -157,7 +155,8 @@ void coachPoses(const CoachArguments& options, const Input& input) {
     text += "Mass and centre of mass are not known yet.\n";
   }
   if (tool && recording.rows() > 0) {
-    if (const auto next = guide.next(recording.q.row(recording.rows() - 1).transpose())) {
+    if (const auto next =
+            guide.next(recording.q.row(recording.rows() - 1).transpose(), around ? around->clearance() : nullptr)) {
       std::string joints;
       for (const double q : next->q) joints += fmt::format("{}{:.3f}", joints.empty() ? "" : ", ", q);
       const double mass = kNormal95 * next->massStd, com = kNormal95 * next->comStd;

@@ -88,22 +88,39 @@ std::string effectList() {
   return text;
 }
 
-/// The motion as recorded, its accelerations from its speeds.
-JointMotion motionIn(const Recording& recording) {
-  JointMotion out{recording.time, recording.q, recording.dq, MatrixXd::Zero(recording.rows(), recording.q.cols())};
-  for (Eigen::Index k = 1; k + 1 < out.size(); ++k)
-    out.ddq.row(k) = (out.dq.row(k + 1) - out.dq.row(k - 1)) / (out.time(k + 1) - out.time(k - 1));
-  return out;
+/// The motion without noise, at a hundred samples a second or what there is.
+JointMotion motionIn(const Simulated& simulated, double rateHz) {
+  const auto stride = std::max<Eigen::Index>(1, std::lround(rateHz / 100.0));
+  const Eigen::Index rows = (simulated.q.rows() - 1) / stride + 1;
+  const auto every = [&](const MatrixXd& all) {
+    MatrixXd out(rows, all.cols());
+    for (Eigen::Index k = 0; k < rows; ++k) out.row(k) = all.row(k * stride);
+    return out;
+  };
+  // The recording's own clock may be one that was hidden in it.
+  const double step = static_cast<double>(stride) / rateHz;
+  return {VectorXd::LinSpaced(rows, 0.0, step * static_cast<double>(rows - 1)), every(simulated.q), every(simulated.dq),
+          every(simulated.ddq)};
 }
 
-/// Throws Failed where a motion that shall stay clear of a room does not.
-void requireClear(const ClearanceArguments& arguments, const Recording& recording) {
+/// Throws Failed where the joints cannot give what the motion takes, and where one that shall stay clear of a room does
+/// not.
+void requirePossible(const ClearanceArguments& arguments, const Simulated& simulated, double rateHz) {
+  const GuidedTool tool = orFail(guidedTool(RobotModel::panda(), simulated.recording.meta.mount));
+  const JointMotion motion = motionIn(simulated, rateHz);
+  MotionLimits limits;
+  limits.gravity = simulated.recording.meta.gravity;
+  limits.payload = simulated.truth.payload;
+  if (const TorqueUse use = torqueUse(tool, motion, limits); use.share > 1.0)
+    throw Failed(
+        fmt::format("The arm cannot make this motion with this load: {} A lighter --payload or a smaller "
+                    "--speed takes less.",
+                    use.sentence()));
   if (arguments.room.empty()) return;
   Findings findings;
-  const GuidedTool tool = orFail(guidedTool(RobotModel::panda(), recording.meta.mount));
   const Surroundings around(arguments, tool, findings);
   printFindings(findings, false);
-  if (const auto conflict = around.clearance()->firstConflict(motionIn(recording)))
+  if (const auto conflict = around.clearance()->firstConflict(motion))
     throw Failed(fmt::format("{} Another --seed makes another motion.", conflict->sentence()));
 }
 
@@ -154,7 +171,7 @@ void run(SimulateArguments options) {
                           options.payload.empty() ? std::nullopt : std::optional(payload), line.progress(), causes);
     return orFail(simulate(RobotModel::panda(), payload, options.simulate, line.progress()));
   }();
-  requireClear(options.clearance, simulated.recording);
+  requirePossible(options.clearance, simulated, options.simulate.rateHz);
   simulated.recording.meta.note =
       fmt::format("{}: {}, seed {}, {} Hz", kNote, words[motion], options.simulate.seed, options.simulate.rateHz);
   requireExpendable(csv, simulated.recording.meta, options.force);

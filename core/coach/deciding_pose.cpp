@@ -109,8 +109,11 @@ std::optional<DecidingPose> decidingPose(const Recording& poses, const GuidedToo
   std::vector<Eigen::Index> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   std::ranges::sort(order, [&](Eigen::Index i, Eigen::Index k) { return score(i) > score(k); });
+  MotionLimits limits;
+  limits.clearance = clearance;
+  limits.gravity = poses.meta.gravity;
   for (const Eigen::Index k : order)
-    if (apart(k) > kDecides && isReached(from, grid.q.row(k).transpose(), clearance))
+    if (apart(k) > kDecides && isReached(tool, from, grid.q.row(k).transpose(), limits))
       return DecidingPose{grid.q.row(k).transpose(), apart(k)};
   return std::nullopt;
 }

@@ -185,14 +185,17 @@ Uncertainty afterReplay(OnlineInformation information, const GuidedTool& tool, c
 }  // namespace
 
 Result<ExcitedMotion> excite(const Recording& recording, const GuidedTool& given, const std::vector<Segment>& segments,
-                             const OnlineInformation& information, const ExcitationOptions& options) {
+                             const OnlineInformation& information, const ExcitationOptions& wanted) {
   if (!recording.hasJoints() || recording.q.cols() != given.robot->dof())
     return Error{"A replay needs the joint angles of the robot that will make it: the recording has none that fit."};
-  if (!(options.lowHz > 0.0) || !(options.highHz > options.lowHz) || !(options.highHz <= 10.0))
+  if (!(wanted.lowHz > 0.0) || !(wanted.highHz > wanted.lowHz) || !(wanted.highHz <= 10.0))
     return Error{"The sines' band must lie between 0 and 10 Hz, the lower end first."};
   if (recording.rows() < 20) return Error{"The recording is too short to be replayed."};
+  ExcitationOptions options = wanted;
+  options.limits.gravity = recording.meta.gravity;
+  options.limits.payload = fromParameters(information.solution.phi);
   GuidedTool tool = given;
-  tool.points.push_back(fromParameters(information.solution.phi).com);
+  tool.points.push_back(options.limits.payload->com);
 
   ExcitedMotion out;
   const double start = recording.time(0);
@@ -203,10 +206,15 @@ Result<ExcitedMotion> excite(const Recording& recording, const GuidedTool& given
     return Error{
         "The taught path itself comes too close to the end of a joint's range (margin 0.03 rad). Teach it further "
         "inside."};
-  // Speeds go with one over the time, accelerations with its square.
+  JointMotion standing = out.taught;
+  standing.dq.setZero();
+  standing.ddq.setZero();
+  if (const TorqueUse weight = torqueUse(tool, standing, options.limits); weight.share > 1.0)
+    return Error{heft::say("The arm cannot hold this load all along the taught path: {}", weight.sentence())};
+  // Speeds go with one over the time; accelerations, and what of the torques is not weight, with its square.
   for (int round = 0; round < 8; ++round) {
-    const double factor =
-        std::max(std::max({use.velocity, use.tcpSpeed, use.cartesian}) / kShare, std::sqrt(use.acceleration / kShare));
+    const double factor = std::max({std::max({use.velocity, use.tcpSpeed, use.cartesian}) / kShare,
+                                    std::sqrt(use.acceleration / kShare), std::sqrt(use.torque.share)});
     if (factor <= 1.0) break;
     out.slowed *= 1.02 * factor;
     out.taught = out.taught.slower(1.02 * factor);

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/say.h"
 #include "core/motion/mount_link.h"
+#include "core/robot/joint_torques.h"
 #include "core/simulation/trajectory.h"
 
 namespace heft {
@@ -16,7 +18,9 @@ Result<GuidedTool> guidedTool(const RobotModel& robot, const SensorMount& mount)
   return GuidedTool{&robot, *link, poseFromXyzRpy(mount.xyz, mount.rpy), {}};
 }
 
-double LimitUse::largest() const { return std::max({position, velocity, acceleration, tcpSpeed, cartesian}); }
+double LimitUse::largest() const {
+  return std::max({position, velocity, acceleration, tcpSpeed, cartesian, torque.share});
+}
 
 std::string LimitUse::worst() const {
   const double most = largest();
@@ -24,7 +28,39 @@ std::string LimitUse::worst() const {
   if (most == velocity) return "a joint's speed";
   if (most == acceleration) return "a joint's acceleration";
   if (most == tcpSpeed) return "the speed of the tool";
+  if (most == torque.share) return "the torque of " + torque.joint;
   return "the turning rate or acceleration of the flange";
+}
+
+std::string TorqueUse::sentence() const {
+  return heft::say("Joint {} would need {:.1f} of the {:.1f} N m that it may give, {:.1f} s into the motion.", joint,
+                   needed, allowed, time);
+}
+
+TorqueUse torqueUse(const GuidedTool& tool, const JointMotion& motion, const MotionLimits& limits) {
+  // Friction, which no URDF tells well, takes up to 0.84 N m of a Panda joint's 12 (Gaz et al. 2019).
+  constexpr double kWithoutFriction = 0.9;
+  const RobotModel& robot = *tool.robot;
+  TorqueUse out;
+  if (!statesTorques(robot)) return out;
+  std::optional<CarriedBody> carried;
+  if (limits.payload && limits.payload->mass > 0.0) {
+    const Matrix3d R = tool.X_LS.linear();
+    carried = CarriedBody{
+        tool.link,
+        {limits.payload->mass, tool.X_LS * limits.payload->com, R * limits.payload->inertiaCom * R.transpose()}};
+  }
+  for (Eigen::Index k = 0; k < motion.size(); ++k) {
+    const VectorXd torques = jointTorques(robot, limits.gravity, carried, motion.q.row(k).transpose(),
+                                          motion.dq.row(k).transpose(), motion.ddq.row(k).transpose());
+    for (int j = 0; j < robot.dof(); ++j) {
+      const double allowed = kWithoutFriction * robot.limits(j).effort, needed = std::abs(torques(j));
+      if (needed / allowed <= out.share) continue;
+      const auto joint = static_cast<std::size_t>(robot.movingJoints()[static_cast<std::size_t>(j)]);
+      out = {needed / allowed, robot.joints()[joint].name, needed, allowed, motion.time(k)};
+    }
+  }
+  return out;
 }
 
 LimitUse limitUse(const GuidedTool& tool, const JointMotion& motion, const MotionLimits& limits) {
@@ -53,18 +89,16 @@ LimitUse limitUse(const GuidedTool& tool, const JointMotion& motion, const Motio
       use.largestTcpSpeed = std::max(use.largestTcpSpeed, speed);
     }
   use.tcpSpeed = use.largestTcpSpeed / limits.tcpSpeed;
+  use.torque = torqueUse(tool, motion, limits);
   return use;
 }
 
-std::optional<Clearance> armClearance(const GuidedTool& tool) {
-  Findings findings;
-  auto made = Clearance::of(*tool.robot, {tool.link, tool.X_LS, std::nullopt}, {}, findings);
-  return made ? std::optional<Clearance>(std::move(*made)) : std::nullopt;
-}
-
-bool isReached(const VectorXd& from, const VectorXd& to, const Clearance* clearance) {
+bool isReached(const GuidedTool& tool, const VectorXd& from, const VectorXd& to, const MotionLimits& limits) {
   constexpr double kSeconds = 1.0;  // How long it takes changes nothing
-  return clearance == nullptr || !clearance->firstConflict(straightMotion(from, to, kSeconds));
+  const MatrixXd rest = MatrixXd::Zero(1, to.size());
+  const JointMotion there{VectorXd::Zero(1), to.transpose(), rest, rest};
+  return torqueUse(tool, there, limits).share <= 1.0 &&
+         (limits.clearance == nullptr || !limits.clearance->firstConflict(straightMotion(from, to, kSeconds)));
 }
 
 std::string trajectoryCsv(const JointMotion& motion, double rateHz) {

@@ -259,7 +259,7 @@ void PoseGuide::judge() {
   }
 }
 
-std::optional<NextPose> PoseGuide::next(const VectorXd& from) const {
+std::optional<NextPose> PoseGuide::next(const VectorXd& from, const Clearance* clearance) const {
   if (!tool_ || from.size() != tool_->robot->dof() || !from.allFinite()) return std::nullopt;
   const RobotModel& robot = *tool_->robot;
   const auto rooms = jointRooms(robot, robot.homePosture());
@@ -280,6 +280,10 @@ std::optional<NextPose> PoseGuide::next(const VectorXd& from) const {
   int combinations = 1;
   for (int i = 0; i < moved; ++i) combinations *= kGrid;
   const Vector3d now = orientationAt(from).transpose() * gravity_;
+  MotionLimits limits;
+  limits.clearance = clearance;
+  limits.gravity = gravity_;
+  if (result_.known) limits.payload = Payload{result_.mass, result_.com, Matrix3d::Zero()};
   std::optional<NextPose> best;
   double bestScore = -INFINITY;
   for (int c = 0; c < combinations; ++c) {
@@ -299,7 +303,7 @@ std::optional<NextPose> PoseGuide::next(const VectorXd& from) const {
     // Volume of what stays unknown of m and m c; of equal ones the pose that is nearer.
     const double volume = fit.covariance.bottomRightCorner<4, 4>().determinant();
     const double score = -std::log(std::max(volume, 1e-300)) - 0.05 * (q - from).cwiseAbs().maxCoeff();
-    if (score <= bestScore || !isReached(from, q, options_.clearance)) continue;
+    if (score <= bestScore || !isReached(*tool_, from, q, limits)) continue;
     bestScore = score;
     const Eigen::Vector4d sd = massAndCentre(fit).diagonal().cwiseMax(0.0).cwiseSqrt();
     best = NextPose{q,

@@ -51,7 +51,6 @@ struct PoseGuideOptions {
   double standStill = 0.02;                ///< Turning rate below which a tool stands [rad/s]
   double hold = 1.0;                       ///< Averaged over so long [s]
   double forceSd = 0.15, torqueSd = 0.01;  ///< What a pose's mean may be off by (drift, calibration) [N], [N m]
-  const Clearance* clearance = nullptr;    ///< Proposed poses are reached straight and clear of everything; or null
 };
 
 class PoseGuide {
@@ -70,9 +69,9 @@ class PoseGuide {
   int usedCount() const;
   const PoseGuideOptions& options() const { return options_; }
   const PoseResult& result() const { return result_; }
-  /// The posture, reached by the last three joints from `from`, that tells most; within the joints' ranges. Nothing
-  /// without a robot.
-  std::optional<NextPose> next(const VectorXd& from) const;
+  /// The posture, reached by the last three joints from `from`, that tells most; within the joints' ranges and torques,
+  /// reached straight and clear of everything where `clearance` is not null. Nothing without a robot.
+  std::optional<NextPose> next(const VectorXd& from, const Clearance* clearance = nullptr) const;
 
  private:
   Matrix3d orientationAt(const VectorXd& q) const;

@@ -138,7 +138,8 @@ struct Clearance::Impl {
   struct Pair {
     std::size_t a = 0, b = 0;
     double margin = 0.0;
-    VectorXd reach;  ///< How far a joint moves the one against the other at most [m/rad], one a column of q
+    bool ofArm = false;  ///< Both are links of the arm, nothing is of tool or room.
+    VectorXd reach;      ///< How far a joint moves the one against the other at most [m/rad], one a column of q
   };
   std::vector<Pair> pairs;
 
@@ -203,7 +204,31 @@ struct Clearance::Impl {
   }
 
   Nearest named(const Pair& pair, double distance) const {
-    return {bodies[pair.a].name, bodies[pair.b].name, distance, pair.margin};
+    Nearest out;
+    out.first = bodies[pair.a].name;
+    out.second = bodies[pair.b].name;
+    out.distance = distance;
+    out.margin = pair.margin;
+    return out;
+  }
+
+  /// Where the two are nearest: two points, base axes. For a picture: where they overlap, the middle of the first.
+  void setPoints(const Pair& pair, const VectorXd& q, Nearest& nearest) const {
+    const CollisionBody &a = bodies[pair.a], &b = bodies[pair.b];
+    const Isometry3d X_Ba = poseOf(a, q);
+    if (b.plane) {
+      Eigen::Index lowest = 0;
+      ((X_Ba.linear().transpose() * b.plane->normal).transpose() * a.vertices).minCoeff(&lowest);
+      nearest.onFirst = X_Ba * Vector3d(a.vertices.col(lowest));
+      nearest.onSecond = nearest.onFirst - b.plane->normal.dot(nearest.onFirst - b.plane->point) * b.plane->normal;
+      return;
+    }
+    // Of two meshes of one kind FCL tells the points in base axes.
+    const fcl::DistanceRequestd request(true);
+    fcl::DistanceResultd result;
+    const bool apart = fcl::distance(a.surface.get(), X_Ba, b.surface.get(), poseOf(b, q), request, result) > 0.0;
+    nearest.onFirst = apart ? result.nearest_points[0] : Vector3d(X_Ba * a.centre);
+    nearest.onSecond = apart ? result.nearest_points[1] : nearest.onFirst;
   }
 
   /// Joints between the two bodies, and how far each reaches.
@@ -260,8 +285,9 @@ Result<Clearance> Clearance::of(const RobotModel& robot, const HeldTool& tool, c
     for (std::size_t b = a + 1; b < impl->bodies.size(); ++b) {
       const CollisionBody &first = impl->bodies[a], &second = impl->bodies[b];
       // The arm's own controller keeps it off itself, and hulls are larger than links.
-      Impl::Pair pair{a, b, b < arm ? 0.0 : impl->margin, impl->reachOf(first, second)};
+      Impl::Pair pair{a, b, b < arm ? 0.0 : impl->margin, b < arm, impl->reachOf(first, second)};
       // A pedestal stands where it stands, and neighbours turn about one joint: they are made not to meet.
+      if (second.plane && !changesHeight(robot, first.link, second.plane->normal)) continue;
       if ((pair.reach.array() > 0.0).count() < (second.link == kWorld ? 1 : 2)) continue;
       Vector3d direction = Vector3d::UnitZ();
       if (second.link != kWorld && impl->distance(pair, home, kAlways, direction) <= pair.margin) {
@@ -281,13 +307,29 @@ Result<Clearance> Clearance::of(const RobotModel& robot, const HeldTool& tool, c
 }
 
 Nearest Clearance::nearest(const VectorXd& q) const {
-  Nearest out{"", "", kAlways, 0.0};
+  Nearest out;
+  out.distance = kAlways;
+  const Impl::Pair* nearest = nullptr;
+  // Links of the wrist are always near each other, which tells nobody anything.
+  const bool others = std::ranges::any_of(impl_->pairs, [](const Impl::Pair& pair) { return !pair.ofArm; });
   for (const auto& pair : impl_->pairs) {
     Vector3d direction = Vector3d::UnitZ();
     const double least = out.distance - out.margin;
-    const double d = impl_->distance(pair, q, least + pair.margin, direction);
-    if (d - pair.margin < least) out = impl_->named(pair, d);
+    // Of two links that only must not touch it is enough to know that they are apart.
+    const bool mayBeNear = others && pair.ofArm;
+    const double d = impl_->distance(pair, q, (mayBeNear ? std::min(0.0, least) : least) + pair.margin, direction);
+    if (d - pair.margin >= least || (mayBeNear && d > 0.0)) continue;
+    out = impl_->named(pair, d);
+    nearest = &pair;
   }
+  if (nearest) impl_->setPoints(*nearest, q, out);
+  return out;
+}
+
+std::vector<HullSurface> Clearance::hulls() const {
+  std::vector<HullSurface> out;
+  for (const CollisionBody& body : impl_->bodies)
+    if (body.link != kWorld) out.push_back({body.link, body.hull->vertices, body.hull->triangles});
   return out;
 }
 

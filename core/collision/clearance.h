@@ -5,6 +5,7 @@
 // oriented boxes; FCL's own continuous check is not used, as it ignores rotation or samples. Along a course no point of
 // one body can come nearer to another than the distance now, less how far the joints between the two can move it
 // meanwhile (conservative advancement, Mirtich 1996), so nothing between two looks is missed.
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,6 +31,15 @@ struct Nearest {
   std::string first, second;
   double distance = 0.0;  ///< [m]; 0: they touch or overlap
   double margin = 0.0;    ///< That the two have to keep [m]: the room's; 0 for two links of the arm
+  Vector3d onFirst = Vector3d::Zero(), onSecond = Vector3d::Zero();  ///< Where, for a picture, base axes [m]
+  bool tooNear() const { return distance <= margin; }
+};
+
+/// A body of arm or tool as it is judged.
+struct HullSurface {
+  int link = 0;               ///< That it is fixed to
+  Eigen::Matrix3Xd vertices;  ///< Link axes [m]
+  std::vector<std::array<int, 3>> triangles;
 };
 
 /// Where a motion brings two bodies nearer to each other than the margin.
@@ -49,8 +59,11 @@ class Clearance {
   Clearance& operator=(Clearance&&) noexcept;
   ~Clearance();
 
-  /// The two bodies that leave each other least beyond their margin. `q` has dof() entries.
+  /// The two bodies that leave each other least beyond their margin; without names where none are judged. Where tool or
+  /// room are judged, two links of the arm count only if they touch. `q` has dof() entries.
   Nearest nearest(const VectorXd& q) const;
+  /// Of arm and tool.
+  std::vector<HullSurface> hulls() const;
   /// The first moment of the whole course at which two bodies are nearer than the margin, to a millimetre; nothing
   /// where they never are.
   std::optional<Conflict> firstConflict(const JointMotion& motion) const;

@@ -91,4 +91,19 @@ std::vector<bool> sharedJoints(const RobotModel& robot, int first, int second) {
   return out;
 }
 
+bool changesHeight(const RobotModel& robot, int link, const Vector3d& normal) {
+  constexpr double kParallel = 1e-9;  // Of sine or cosine
+  // Turns about parallel axes leave these axes where they point, so that one posture tells for all.
+  std::vector<Isometry3d> X_BL;
+  robot.linkPoses(robot.homePosture(), X_BL);
+  for (const int index : jointsTo(robot, link)) {
+    const Joint& joint = robot.joints()[static_cast<std::size_t>(index)];
+    if (joint.index < 0) continue;
+    const Vector3d axis = X_BL[static_cast<std::size_t>(joint.parentLink)].linear() * joint.X_PJ.linear() * joint.axis;
+    const double off = joint.type == JointType::prismatic ? std::abs(axis.dot(normal)) : axis.cross(normal).norm();
+    if (off > kParallel) return true;
+  }
+  return false;
+}
+
 }  // namespace heft

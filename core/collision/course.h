@@ -29,4 +29,8 @@ VectorXd jointReach(const RobotModel& robot, int link, const Eigen::Matrix3Xd& p
 /// Columns whose joints move both links, and so neither against the other.
 std::vector<bool> sharedJoints(const RobotModel& robot, int first, int second);
 
+/// Whether some joint brings the link nearer to a plane with this normal (base axes), or farther from it: an arm on a
+/// table turns about the table's normal first.
+bool changesHeight(const RobotModel& robot, int link, const Vector3d& normal);
+
 }  // namespace heft

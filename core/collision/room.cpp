@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/base/json_file.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 
@@ -124,6 +125,12 @@ Result<Room> roomFromJson(const json& content, const std::string& where, const s
     room.obstacles.push_back(std::move(*obstacle));
   }
   return room;
+}
+
+Result<Room> readRoom(const std::filesystem::path& file) {
+  const auto content = readJsonFile(file);
+  if (!content) return content.error();
+  return roomFromJson(*content, displayName(file), file.parent_path());
 }
 
 json toJson(const Room& room) {

@@ -50,5 +50,7 @@ struct Room {
 /// Relative mesh paths are taken against `folder`; `where` names the file in messages.
 Result<Room> roomFromJson(const nlohmann::json& json, const std::string& where, const std::filesystem::path& folder);
 nlohmann::json toJson(const Room& room);
+/// Of a file; meshes beside it.
+Result<Room> readRoom(const std::filesystem::path& file);
 
 }  // namespace heft

@@ -18,6 +18,7 @@ struct JointLimits {
   double upper = std::numeric_limits<double>::infinity();
   double velocity = std::numeric_limits<double>::infinity();      ///< [rad/s] or [m/s]
   double acceleration = std::numeric_limits<double>::infinity();  ///< [rad/s2]; a URDF has none, Panda's table has
+  double effort = std::numeric_limits<double>::infinity();        ///< [N m] or [N]; above 0
 };
 
 enum class JointType { fixed, revolute, prismatic };
@@ -46,11 +47,19 @@ struct Visual {
   bool hasColour = false;  ///< False: use the mesh's own colours if it has any.
 };
 
+/// A rigid body's mass in the axes of the link that it belongs to.
+struct BodyInertia {
+  double mass = 0.0;                       ///< [kg]
+  Vector3d com = Vector3d::Zero();         ///< [m]
+  Matrix3d inertiaCom = Matrix3d::Zero();  ///< About com [kg m2]
+};
+
 struct Link {
   std::string name;
   int parentJoint = -1;
   std::vector<Visual> visuals;
-  std::vector<Visual> collisions;  ///< Where it takes up room; empty: not stated, or not understood
+  std::vector<Visual> collisions;      ///< Where it takes up room; empty: not stated, or not understood
+  std::optional<BodyInertia> inertia;  ///< Nothing: not stated, or no mass
 };
 
 /// Position, velocity and acceleration of frame S fixed to a link, relative to the base B.

@@ -71,6 +71,7 @@ class TreeBuilder {
       link.name = next.link->name;
       link.visuals = std::move(visuals[link.name]);
       link.collisions = std::move(collisions[link.name]);
+      link.inertia = inertiaOf(*next.link);
       if (next.link->parent_joint) {
         link.parentJoint = static_cast<int>(tree_.joints.size());
         tree_.joints.push_back(jointOf(*next.link->parent_joint, next.parent, index));
@@ -108,6 +109,19 @@ class TreeBuilder {
     return result;
   }
 
+  /// What the checks warn of as unphysical is kept: the link is still as heavy as stated.
+  static std::optional<BodyInertia> inertiaOf(const urdf::Link& link) {
+    if (!link.inertial || !(link.inertial->mass > 0.0)) return std::nullopt;
+    const urdf::Inertial& given = *link.inertial;
+    const urdf::Rotation& r = given.origin.rotation;
+    const Matrix3d turned = Quaterniond(r.w, r.x, r.y, r.z).normalized().toRotationMatrix();
+    Matrix3d tensor;
+    tensor << given.ixx, given.ixy, given.ixz, given.ixy, given.iyy, given.iyz, given.ixz, given.iyz, given.izz;
+    return BodyInertia{given.mass,
+                       {given.origin.position.x, given.origin.position.y, given.origin.position.z},
+                       turned * tensor * turned.transpose()};
+  }
+
   static Isometry3d originOf(const XmlElement& element, const urdf::Joint& source) {
     const urdf::Pose& given = source.parent_to_joint_origin_transform;
     const urdf::Rotation& r = given.rotation;
@@ -130,6 +144,7 @@ class TreeBuilder {
       limits.upper = std::max(source.limits->lower, source.limits->upper);
     }
     if (source.limits->velocity > 0.0) limits.velocity = source.limits->velocity;
+    if (source.limits->effort > 0.0) limits.effort = source.limits->effort;
     // Newer URDFs may give an acceleration limit, which urdfdom does not read.
     const XmlElement* limit = element.child("limit");
     const auto acceleration = limit ? parseNumbers(limit->attributeOr("acceleration"), 1) : std::nullopt;

@@ -98,6 +98,11 @@ json correctionsJson(const Corrections& corrections) {
   return {{"causes", corrections.causes}, {"found", found}};
 }
 
+json roomJson(const fs::path& room, const fs::path& folder) {
+  if (room.empty()) return json();
+  return {{"file", relativeTo(room, folder)}, {"absolute", displayName(room)}};
+}
+
 json shapeJson(const ShapeChoice& choice, const fs::path& folder) {
   Shape shape = choice.shape;
   for (ShapeBody& body : shape.bodies)
@@ -155,17 +160,21 @@ std::string othersOf(const json& object, std::initializer_list<std::string_view>
   return others.empty() ? std::string() : others.dump();
 }
 
+/// Of an object with "file" and "absolute".
+fs::path fileOf(const json& entry, const fs::path& folder) {
+  const fs::path relative = textOf(entry, "file");
+  const fs::path file = (relative.is_absolute() ? relative : folder / relative).lexically_normal();
+  std::error_code ignored;
+  const std::string absolute = textOf(entry, "absolute");
+  // Only the session was moved.
+  return !absolute.empty() && !fs::exists(file, ignored) && fs::exists(absolute, ignored) ? fs::path(absolute) : file;
+}
+
 Result<SessionRecording> readRecordingEntry(const json& entry, const Reader& reader, const fs::path& folder) {
   if (!entry.is_object() || textOf(entry, "file").empty())
     return reader.wrong("recordings", heft::say("should name files"));
   SessionRecording out;
-  const fs::path relative = textOf(entry, "file");
-  out.file = (relative.is_absolute() ? relative : folder / relative).lexically_normal();
-  std::error_code ignored;
-  if (const std::string absolute = textOf(entry, "absolute");
-      !absolute.empty() && !fs::exists(out.file, ignored) && fs::exists(absolute, ignored)) {
-    out.file = absolute;  // Only the session was moved.
-  }
+  out.file = fileOf(entry, folder);
   auto marks = readMarks(memberOf(entry, "marks"), reader);
   if (!marks) return marks.error();
   out.marks = std::move(marks).value();
@@ -308,6 +317,7 @@ std::string sessionText(const Session& session, const fs::path& folder, bool asR
                       {"tcp_m", {session.exporting.tcp.x(), session.exporting.tcp.y(), session.exporting.tcp.z()}}},
                      memberOf(kept, "export"))},
            {"controller", withKept(controllerJson(session.controller), memberOf(kept, "controller"))},
+           {"room", roomJson(session.room, folder)},
            {"proof", proof.is_object() ? proof : json()},
            {"view", withKept(std::move(view), memberOf(kept, "view"))}};
   return withKept(std::move(out), kept).dump(2) + "\n";
@@ -362,6 +372,8 @@ Result<Session> parseSession(std::string_view text, const std::string& name, con
   auto controller = readController(memberOf(object, "controller"), reader);
   if (!controller) return controller.error();
   out.controller = std::move(controller).value();
+  if (const json& room = memberOf(object, "room"); room.is_object() && !textOf(room, "file").empty())
+    out.room = fileOf(room, folder);
   if (memberOf(object, "proof").is_object()) out.proof = object["proof"].dump();
   const json& view = memberOf(object, "view");
   if (view.is_object()) {
@@ -370,7 +382,7 @@ Result<Session> parseSession(std::string_view text, const std::string& name, con
   }
 
   json kept = keptObject(othersOf(object, {"schema", "recordings", "active", "joined", "shape", "settings",
-                                           "known_payload", "export", "controller", "proof", "view"}));
+                                           "known_payload", "export", "controller", "room", "proof", "view"}));
   const auto keepInside = [&](const char* key, std::initializer_list<std::string_view> mine) {
     if (!memberOf(object, key).is_object()) return;
     const json others = keptObject(othersOf(object[key], mine));

@@ -89,6 +89,7 @@ struct Session {
   EstimateSettings settings;
   ExportChoice exporting;
   ControllerChoice controller;
+  std::filesystem::path room;  ///< What stands around the arm (heft.room/1), absolute; empty: not known
   std::string proof;           ///< The last heft.prove/1 of exported numbers as JSON text; empty if there is none.
   std::string step;            ///< Id of the step shown; view state, kept for coming back.
   std::filesystem::path home;  ///< Where the user saved the session; empty if nowhere yet.

@@ -640,6 +640,21 @@
     </message>
 </context>
 <context>
+    <name>GapMark</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Too near: %1</source>
+        <translation>Zu nah: %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+</context>
+<context>
     <name>Joining</name>
     <message>
         <source>%1 deserves little trust, and with it the numbers from all of them.</source>
@@ -9284,6 +9299,18 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The sensor&apos;s mounting is not stated; it is assumed to be at the origin of the robot&apos;s link &quot;{}&quot;.</source>
         <translation>Nirgends steht, wo der Sensor sitzt; angenommen wird der Ursprung des Robotergliedes „{}“.</translation>
     </message>
+    <message>
+        <source>The arm is not strong enough for a motion from this posture: {}</source>
+        <translation>Der Arm ist für eine Bewegung aus dieser Haltung nicht stark genug: {}</translation>
+    </message>
+    <message>
+        <source>The arm cannot hold this load all along the taught path: {}</source>
+        <translation>Der Arm kann diese Last nicht auf dem ganzen gelehrten Weg halten: {}</translation>
+    </message>
+    <message>
+        <source>Joint {} would need {:.1f} of the {:.1f} N m that it may give, {:.1f} s into the motion.</source>
+        <translation>Gelenk {} bräuchte {:.1f} von {:.1f} N m, die es aufbringen darf, {:.1f} s nach Beginn der Bewegung.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
@@ -10506,20 +10533,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Neigen Sie das Werkzeug anders und halten Sie es still</translation>
     </message>
     <message>
-        <source>Bring the arm into the middle of its range</source>
-        <translation>Bringen Sie den Arm in die Mitte seines Bereichs</translation>
-    </message>
-    <message>
         <source>Move the tool, in all directions</source>
         <translation>Bewegen Sie das Werkzeug in alle Richtungen</translation>
     </message>
     <message>
         <source>Tilt the tool about all its axes, then turn it faster</source>
         <translation>Neigen Sie das Werkzeug um alle Achsen, dann drehen Sie es schneller</translation>
-    </message>
-    <message>
-        <source>No motion is possible from here within the joint limits.</source>
-        <translation>Von hier aus hält keine Bewegung alle Gelenkgrenzen ein.</translation>
     </message>
     <message>
         <source>about %1 s more</source>
@@ -10595,6 +10614,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>NOT WHAT THE RIG SAYS</source>
         <translation>ANDERS ALS ANGEGEBEN</translation>
+    </message>
+    <message>
+        <source>Bring the arm to another posture</source>
+        <translation>Bringen Sie den Arm in eine andere Haltung</translation>
     </message>
 </context>
 <context>
@@ -12119,10 +12142,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Es gibt jetzt nichts vorzumachen.</translation>
     </message>
     <message>
-        <source>live expects virtual, poses, replay, pass, guide, show, change, stop or discard.</source>
-        <translation>live erwartet virtual, poses, replay, pass, guide, show, change, stop oder discard.</translation>
-    </message>
-    <message>
         <source>Move the arm as the coach suggests, then press “Stop and save”</source>
         <translation>Bewegen Sie den Arm, wie der Trainer sagt, und drücken Sie dann „Beenden und behalten“</translation>
     </message>
@@ -12244,6 +12263,22 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Show in folder</source>
         <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Choose a room</source>
+        <translation>Raum wählen</translation>
+    </message>
+    <message>
+        <source>Rooms (*.json);;All files (*)</source>
+        <translation>Räume (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose a &amp;room …</source>
+        <translation>R&amp;aum wählen …</translation>
+    </message>
+    <message>
+        <source>live expects virtual, poses, replay, pass, guide, room, show, change, stop or discard.</source>
+        <translation>live erwartet virtual, poses, replay, pass, guide, room, show, change, stop oder discard.</translation>
     </message>
 </context>
 <context>
@@ -12890,6 +12925,40 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>No joint angles recorded: a Panda is drawn that reaches these poses</source>
         <translation>Keine Gelenkwinkel aufgenommen: gezeigt wird ein Panda, der diese Lagen erreicht</translation>
+    </message>
+</context>
+<context>
+    <name>heft::RoomRow</name>
+    <message numerus="yes">
+        <source>%1: %n obstacle(s), and nothing comes nearer than %2 mm.</source>
+        <translation>
+            <numerusform>%1: %n Hindernis; nichts kommt näher als %2 mm.</numerusform>
+            <numerusform>%1: %n Hindernisse; nichts kommt näher als %2 mm.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What is in the way</source>
+        <translation>Was im Weg ist</translation>
+    </message>
+    <message>
+        <source>Choose a room …</source>
+        <translation>Raum wählen …</translation>
+    </message>
+    <message>
+        <source>Walls, tables, boxes and meshes (heft.room/1). “heft room” writes one from walls that were touched by hand.</source>
+        <translation>Wände, Tische, Quader und Netze (heft.room/1). „heft room“ schreibt einen aus Wänden, die von Hand berührt wurden.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the room</source>
+        <translation>Raum entfernen</translation>
+    </message>
+    <message>
+        <source>Walls and tables are not known: what the coach proposes keeps the arm off itself and off its tool only.</source>
+        <translation>Wände und Tische sind nicht bekannt: Was der Trainer vorschlägt, hält den Arm nur von sich selbst und seinem Werkzeug fern.</translation>
     </message>
 </context>
 <context>

@@ -251,4 +251,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>heft::RoomRow</name>
+    <message numerus="yes">
+        <source>%1: %n obstacle(s), and nothing comes nearer than %2 mm.</source>
+        <translation>
+            <numerusform>%1: %n obstacle, and nothing comes nearer than %2 mm.</numerusform>
+            <numerusform>%1: %n obstacles, and nothing comes nearer than %2 mm.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -1,7 +1,10 @@
-// How long a motion takes to be checked against arm, tool and room. It says nothing about whether that is right.
+// How long a motion takes to be checked against arm, tool and room, and the coach's proposal there. It says nothing
+// about whether that is right.
 #include <benchmark/benchmark.h>
 
+#include "core/coach/coach.h"
 #include "core/collision/clearance.h"
+#include "core/simulation/simulate.h"
 #include "tests/core/collision/random_motion.h"
 
 namespace {
@@ -35,6 +38,28 @@ void twentySeconds(benchmark::State& state) {
   }
 }
 BENCHMARK(twentySeconds)->Unit(benchmark::kMillisecond);
+
+/// After a slow demonstration of five seconds, which leaves all candidates in question.
+void proposal(benchmark::State& state) {
+  const Clearance clearance = tenObstacles();
+  SimulateOptions simulation;
+  simulation.motion = MotionKind::free;
+  simulation.duration = 5.0;
+  simulation.speed = 0.2;
+  const Payload payload{0.8, {0.0, 0.0, 0.08}, Vector3d(0.003, 0.003, 0.001).asDiagonal()};
+  const Recording recording = simulate(RobotModel::panda(), payload, simulation)->recording;
+  const OnlineInformation information = informationOf(recording, &RobotModel::panda(), {}).value();
+  const GuidedTool tool = guidedTool(RobotModel::panda(), recording.meta.mount).value();
+  CoachOptions options;
+  options.want = CoachGoal::inertia;
+  options.limits.clearance = &clearance;
+  for (auto _ : state) {
+    const auto advice = advise(information, tool, recording.meta.gravity, RobotModel::panda().homePosture(), options);
+    if (!advice || !advice->needed) state.SkipWithError("no advice");
+    benchmark::DoNotOptimize(advice);
+  }
+}
+BENCHMARK(proposal)->Unit(benchmark::kMillisecond);
 
 void buildPanda(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(tenObstacles());

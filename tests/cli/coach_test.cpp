@@ -78,6 +78,17 @@ TEST_F(CoachTest, KeepsClearOfARoomAndSaysWhatIsInTheWay) {
   EXPECT_EQ(heft({"coach", "rec.csv", "--shape", "box:0.1,0.1,0.1", "--shape-file", "tool.json"}).exitCode, 2);
 }
 
+TEST_F(CoachTest, SimulatedArmsCarryWhatTheirJointsCan) {
+  write("heavy.json", R"({"mass_kg": 12, "com_m": [0, 0, 0.1],
+      "inertia_com_kgm2": [[0.05, 0, 0], [0, 0.05, 0], [0, 0, 0.05]]})");
+  const std::vector<std::string> simulated{"simulate", "--motion",  "free",       "--duration", "3",        "--rate",
+                                           "250",      "--payload", "heavy.json", "-o",         "heavy.csv"};
+  const Outcome run = heft(simulated);
+  EXPECT_EQ(run.exitCode, 1);
+  EXPECT_THAT(run.err, testing::ContainsRegex("Joint panda_joint[0-9] would need [0-9.]+ of the [0-9.]+ N m"));
+  EXPECT_THAT(run.err, HasSubstr(" s into the motion"));
+}
+
 TEST_F(CoachTest, ARoomIsWrittenFromTouchesAndReadAgain) {
   simulate("pick", {"--motion", "pick-and-place", "--seed", "3", "--duration", "15"});
   const std::vector<std::string> room{"room", "pick.csv", "--shape", "cylinder:0.01,0.15@0,0,0.075", "-o", "room.json"};

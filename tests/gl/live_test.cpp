@@ -1,7 +1,9 @@
 // The virtual arm in the real window: guided with mouse and keys, recorded, opened.
 #include <gtest/gtest.h>
 
+#include <QFile>
 #include <QPushButton>
+#include <QUndoStack>
 #include <cmath>
 
 #include "tests/gl/window_fixture.h"
@@ -107,6 +109,68 @@ TEST_F(LiveWindowTest, PlotsRunTheGhostStandsThereAndStopOpensTheRecording) {
   EXPECT_EQ(window.step(), Step::result);
   EXPECT_NEAR(workspace.report()->payload.mass, practiceTool(7).mass, 0.05 * practiceTool(7).mass);
   EXPECT_FALSE(plots->isVisible());
+}
+
+TEST_F(LiveWindowTest, TheRoomStandsInTheViewAndTheGapTurnsRedWithinTheMargin) {
+  const auto table = [&](double height) {
+    const QString path = folder.filePath("room.json");
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(QStringLiteral(R"({"schema": "heft.room/1", "margin_m": 0.02, "obstacles": [
+        {"name": "table", "box": {"size_m": [0.5, 0.5, 0.02], "xyz_m": [0.55, 0, %1]}}]})")
+                   .arg(height - 0.01)
+                   .toUtf8());
+    return path;
+  };
+  const auto gapOf = [&](double height) {
+    EXPECT_TRUE(panel->obey({"live", "room", table(height)})->ok());
+    panel->startVirtual(3, false, false);
+    pass(2.0);
+    return window.robotView()->gap();
+  };
+  const auto red = [&] {
+    const QImage picture = viewPicture();
+    const QColor bad = theme().bad;
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) count += picture.pixelColor(x, y) == bad;
+    return count;
+  };
+  EXPECT_FALSE(panel->obey({"live", "room", folder.filePath("none.json")})->ok());
+  EXPECT_TRUE(workspace.session().room.empty());
+
+  const auto far = gapOf(0.25);
+  ASSERT_TRUE(far);
+  EXPECT_EQ(far->second, "table");
+  EXPECT_FALSE(far->tooNear());
+  EXPECT_EQ(red(), 0);
+  const auto labelled = [&](const QString& text) { return window.robotView()->labelTexts().filter(text).size() == 1; };
+  EXPECT_TRUE(labelled("mm"));
+  keepPicture(window, "live-room-far");
+  const double lowest = panel->run()->clearance()->nearest(*panel->run()->view().q).onFirst.z();
+  ASSERT_TRUE(panel->obey({"live", "discard"})->ok());
+
+  // A finger's breadth below the tool: nothing can be proposed, and the arm itself is too near.
+  const auto near = gapOf(lowest - 0.012);
+  ASSERT_TRUE(near);
+  EXPECT_EQ(near->second, "table");
+  EXPECT_TRUE(near->tooNear()) << near->distance;
+  EXPECT_GT(red(), 0);
+  EXPECT_TRUE(labelled("Too near"));
+  EXPECT_TRUE(panel->run()->refusal().contains("table")) << panel->run()->refusal().toStdString();
+  EXPECT_TRUE(texts(Step::record).contains("12 mm"));
+  keepPicture(window, "live-room-near");
+  ASSERT_TRUE(panel->obey({"live", "discard"})->ok());
+  settle();
+  EXPECT_FALSE(window.robotView()->gap()) << "with the run it goes";
+
+  panel->setWay(RecordPanel::Way::virtualArm);
+  EXPECT_TRUE(texts(Step::record).contains("room.json: 1 obstacle")) << texts(Step::record).toStdString();
+  QTest::mouseClick(panel->findChild<QPushButton*>("removeRoom"), Qt::LeftButton);
+  EXPECT_TRUE(workspace.session().room.empty());
+  EXPECT_FALSE(texts(Step::record).contains("room.json"));
+  workspace.undoStack()->undo();
+  EXPECT_EQ(workspace.session().room.filename(), "room.json");
 }
 
 TEST_F(LiveWindowTest, OtherStepsAreReachableMeanwhileAndTheRunGoesOn) {

@@ -126,6 +126,7 @@ void Workspace::takeSession(Session session) {
   emit settingsChanged();
   emit exportChanged();
   emit controllerChanged();
+  emit roomChanged();
   emit proofChanged();
   emit openedChanged();
   emit reportChanged();
@@ -332,6 +333,10 @@ void Workspace::setExport(const ExportChoice& choice, const QString& text, int m
 
 void Workspace::setController(const ControllerChoice& choice, const QString& text) {
   edit(&Session::controller, choice, text, 0, &Workspace::controllerChanged, false);
+}
+
+void Workspace::setRoom(const std::filesystem::path& file, const QString& text) {
+  edit(&Session::room, file, text, 0, &Workspace::roomChanged, false);
 }
 
 void Workspace::setProof(const std::string& json) {

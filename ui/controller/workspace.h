@@ -121,6 +121,8 @@ class Workspace : public QObject {
   void setSettings(const EstimateSettings& settings, const QString& text, int mergeKey = 0);
   void setExport(const ExportChoice& choice, const QString& text, int mergeKey = 0);
   void setController(const ControllerChoice& choice, const QString& text);
+  /// A heft.room/1 that can be read; empty takes it away.
+  void setRoom(const std::filesystem::path& file, const QString& text);
   /// Of the shown recording.
   void setCorrections(const Corrections& corrections, const QString& text);
   const Corrections& corrections() const;
@@ -143,6 +145,7 @@ class Workspace : public QObject {
   void exportChanged();
   void correctionsChanged();
   void controllerChanged();
+  void roomChanged();
   void proofChanged();
   /// Anything in the session changed, results included.
   void sessionChanged();

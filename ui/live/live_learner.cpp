@@ -95,7 +95,7 @@ void LiveLearner::add(const LiveSample& read) {
   note(now);
   if (setup_.poses) {
     if (guide_.add(now))
-      next_ = sample.q && tool_ ? guide_.next(Eigen::Map<const VectorXd>(sample.q->data(), setup_.robot->dof()))
+      next_ = sample.q && tool_ ? nextFrom(Eigen::Map<const VectorXd>(sample.q->data(), setup_.robot->dof()))
                                 : std::nullopt;
     return;
   }
@@ -197,10 +197,14 @@ LiveView LiveLearner::view() {
   view.traces = history_.traces();
   view.poses = guide_.poses();
   view.poseResult = guide_.result();
-  if (setup_.poses && !next_ && view.q) next_ = guide_.next(*view.q);
+  if (setup_.poses && !next_ && view.q) next_ = nextFrom(*view.q);
   view.next = next_;
   view.posesWanted = guide_.options().wanted;
   return view;
+}
+
+std::optional<NextPose> LiveLearner::nextFrom(const VectorXd& q) const {
+  return guide_.next(q, setup_.around ? setup_.around->clearance() : nullptr);
 }
 
 void LiveLearner::removePose(std::size_t index) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/coach/arm_surroundings.h"
 #include "core/coach/coach.h"
 #include "core/coach/pose_guide.h"
 #include "core/live/plain_samples.h"
@@ -48,7 +49,8 @@ struct LearnerSetup {
   RecordingMeta meta;
   std::shared_ptr<const RobotModel> robot;  ///< Null where samples carry poses.
   std::optional<Shape> shape;
-  bool poses = false;  ///< Standing poses instead of a motion.
+  bool poses = false;                            ///< Standing poses instead of a motion.
+  std::shared_ptr<ArmSurroundings> around = {};  ///< What proposed poses keep clear of; null: nothing
 };
 
 /// The poses that are used, one row each.
@@ -69,6 +71,7 @@ class LiveLearner {
   void note(const OnlineSample& sample);
   void simulate();
   Isometry3d poseOf(const OnlineSample& sample) const;
+  std::optional<NextPose> nextFrom(const VectorXd& q) const;
 
   LearnerSetup setup_;
   PlainSamples plain_;

@@ -56,9 +56,10 @@ Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   session_ = std::move(session);
   virtualArm_ = setup.virtualArm;
   robot_ = setup.robot;
-  arm_ = std::make_shared<ArmAlone>();
   meta_ = setup.meta;
   shape_ = setup.shape;
+  room_ = std::move(setup.room);
+  around_.reset();
   origin_ = setup.origin;
   poses_ = setup.poses;
   paused_ = false;
@@ -71,7 +72,7 @@ Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   view_ = {};
   advice_.reset();
   advisedAt_ = -1e9;
-  outOfRoom_ = false;
+  refusal_.clear();
   tools_ = 1;
   seen_ = 0;
   removals_.clear();
@@ -122,7 +123,6 @@ bool LiveRun::prepare() {
     auto robot = robotFor(meta_, findings);
     if (!robot) return stop(), emit failed(QString::fromStdString(robot.error().message)), false;
     robot_ = std::make_shared<const RobotModel>(std::move(*robot));
-    arm_ = std::make_shared<ArmAlone>();
     // At once: a recording that is cut off has to tell it, too.
     if (!file_.isEmpty()) (void)writeMeta(meta_, metaFileOf(file_.toStdString()));
   }
@@ -133,7 +133,8 @@ bool LiveRun::prepare() {
                     .arg(robot_->dof()));
     return false;
   }
-  auto learner = LiveLearner::create({meta_, samples.front().q ? robot_ : nullptr, shape_, poses_});
+  if (robot_) around_ = std::make_shared<ArmSurroundings>(robot_, meta_.mount, shape_, room_);
+  auto learner = LiveLearner::create({meta_, samples.front().q ? robot_ : nullptr, shape_, poses_, around_});
   if (!learner) return stop(), emit failed(QString::fromStdString(learner.error().message)), false;
   learner_ = std::move(*learner);
   return true;
@@ -209,18 +210,17 @@ void LiveRun::coach() {
   coaching().start(
       QString(),
       [robot = robot_, meta = meta_, q = *view_.q, information = view_.information,
-       arm = arm_](const Progress&) -> Result<Advice> {
+       around = around_](const Progress&) -> Result<Advice> {
         auto tool = guidedTool(*robot, meta.mount);
         if (!tool) return tool.error();
-        if (!std::exchange(arm->known, true)) arm->clearance = armClearance(*tool);
         CoachOptions options;
-        options.limits.clearance = arm->clearance ? &*arm->clearance : nullptr;
+        options.limits.clearance = around->clearance();
         return advise(information ? std::optional(*information) : std::nullopt, *tool, meta.gravity,
                       robot->clampToLimits(q), options);
       },
       [this, run = run_](Result<Advice> result) {
         if (run != run_ || !session_) return pump();
-        outOfRoom_ = !result;
+        refusal_ = result ? QString() : QString::fromStdString(result.error().message);
         advice_.reset();
         if (result) advice_ = std::move(*result);
         advisedAt_ = view_.time;

@@ -33,6 +33,7 @@ struct LiveSetup {
   std::shared_ptr<const RobotModel> robot;  ///< Null: found from the first sample and the meta.
   RecordingMeta meta;
   std::optional<Shape> shape;
+  Room room;             ///< What stands around the arm
   bool poses = false;    ///< Standing poses instead of a motion
   QString folder, name;  ///< Of the recording; a number is added where it exists.
   LiveOrigin origin;
@@ -65,12 +66,14 @@ class LiveRun : public QObject {
   std::shared_ptr<const LiveSession> session() const { return session_; }
   const RecordingMeta& meta() const { return meta_; }
   std::shared_ptr<const RobotModel> robot() const { return robot_; }
+  /// What proposed motions keep clear of; null until it is made, which no picture waits for.
+  const Clearance* clearance() const { return around_ ? around_->ready() : nullptr; }
   VirtualSource* virtualArm() const { return virtualArm_; }
   QString file() const { return file_; }
   /// What the coach says now; nothing while it knows nothing to say.
   const std::optional<Advice>& advice() const { return advice_; }
-  /// The posture is so that no motion can be proposed.
-  bool outOfRoom() const { return outOfRoom_; }
+  /// Why no motion can be proposed from here; empty where one can.
+  const QString& refusal() const { return refusal_; }
   double adviceAge() const { return view_.time - advisedAt_; }  ///< [s]
   Recording poseRecording() const;
   /// Ends and keeps what came: the file of a motion, or of two poses or more, which is written now. Empty where there
@@ -105,22 +108,19 @@ class LiveRun : public QObject {
   std::shared_ptr<LiveSession> session_;
   VirtualSource* virtualArm_ = nullptr;
   std::shared_ptr<const RobotModel> robot_;
-  /// What keeps the arm off itself, made with the first piece of advice, beside the window.
-  struct ArmAlone {
-    bool known = false;
-    std::optional<Clearance> clearance;
-  };
-  std::shared_ptr<ArmAlone> arm_ = std::make_shared<ArmAlone>();
+  std::shared_ptr<ArmSurroundings> around_;  ///< Null without a robot
   RecordingMeta meta_;
   std::optional<Shape> shape_;
+  Room room_;
   LiveOrigin origin_;
   std::shared_ptr<LiveLearner> learner_;
-  bool poses_ = false, paused_ = false, byClock_ = true, outOfRoom_ = false;
+  bool poses_ = false, paused_ = false, byClock_ = true;
   QString file_;
   QString folder_, name_;
   std::unique_ptr<UnderWay> underWay_;  ///< Lets the next start find the file if this program is killed.
   LiveView view_;
   std::optional<Advice> advice_;
+  QString refusal_;
   double advisedAt_ = -1e9;
   int tools_ = 1;
   std::uint64_t seen_ = 0;

@@ -35,14 +35,19 @@ void DecidingMotion::show(const std::string& motion) {
   const VectorXd& time = opened->recording.time;
   const auto row = std::clamp<Eigen::Index>(
       std::lower_bound(time.data(), time.data() + time.size(), playback_->time()) - time.data(), 0, time.size() - 1);
+  auto room = Result<Room>(Room());
+  if (const auto& file = workspace_->session().room; !file.empty()) room = readRoom(file);
+  if (!room) return emit failed(QString::fromStdString(room.error().message));
+  around_ = std::make_shared<ArmSurroundings>(opened->robot, opened->recording.meta.mount,
+                                              estimateOptions(workspace_->session()).shape, std::move(*room));
   jobs_.start(
       QString(),
-      [opened, motion, q = VectorXd(opened->recording.q.row(row).transpose())](const Progress&) -> Result<Advice> {
+      [opened, motion, around = around_,
+       q = VectorXd(opened->recording.q.row(row).transpose())](const Progress&) -> Result<Advice> {
         const auto tool = guidedTool(*opened->robot, opened->recording.meta.mount);
         if (!tool) return tool.error();
-        const auto clearance = armClearance(*tool);
         CoachOptions options;
-        options.limits.clearance = clearance ? &*clearance : nullptr;
+        options.limits.clearance = around->clearance();
         return namedMotion(motion, *tool, opened->robot->clampToLimits(q), options);
       },
       [this](Result<Advice> advice) {
@@ -70,7 +75,8 @@ void DecidingMotion::begin(Advice advice) {
   }
   view_->showGhostWay(way);
   view_->setGhostLabel(tr("Move like this"), coachShort(*advice_));
-  view_->showGhost(advice_->target);
+  if (const Clearance* clearance = around_->ready()) view_->showHulls(clearance->hulls());
+  showAt(advice_->target);
   clock_.start();
   timer_.start();
 }
@@ -81,7 +87,12 @@ void DecidingMotion::step() {
   VectorXd q, dq, ddq;
   const double duration = advice_->motion.duration();
   advice_->motion.at(std::fmod(0.25 * duration + static_cast<double>(clock_.elapsed()) / 1000.0, duration), q, dq, ddq);
+  showAt(q);
+}
+
+void DecidingMotion::showAt(const VectorXd& q) {
   view_->showGhost(q);
+  if (const Clearance* clearance = around_->ready()) view_->showGap(clearance->nearest(q));
 }
 
 void DecidingMotion::hide() {
@@ -91,6 +102,8 @@ void DecidingMotion::hide() {
   advice_.reset();
   view_->showGhost(std::nullopt);
   view_->showGhostWay({});
+  view_->showGap(std::nullopt);
+  view_->showHulls({});
   view_->setGhostLabel({}, {});
 }
 

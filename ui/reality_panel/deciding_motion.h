@@ -4,8 +4,10 @@
 #include <QObject>
 #include <QPointer>
 #include <QTimer>
+#include <memory>
 #include <optional>
 
+#include "core/coach/arm_surroundings.h"
 #include "core/coach/coach.h"
 #include "ui/jobs/job_runner.h"
 
@@ -36,6 +38,7 @@ class DecidingMotion : public QObject {
  private:
   void begin(Advice advice);
   void step();
+  void showAt(const VectorXd& q);
 
   Workspace* workspace_;
   QPointer<RobotView> view_;
@@ -44,6 +47,7 @@ class DecidingMotion : public QObject {
   QTimer timer_;
   QElapsedTimer clock_;
   std::optional<Advice> advice_;
+  std::shared_ptr<ArmSurroundings> around_;
 };
 
 }  // namespace heft

@@ -229,10 +229,10 @@ void LiveBoard::refreshCard() {
   }
   const auto& advice = run_->advice();
   if (!advice) {
-    sentence_->setText(run_->outOfRoom() ? tr("Bring the arm into the middle of its range")
-                       : view.q          ? tr("Move the tool, in all directions")
-                                         : tr("Tilt the tool about all its axes, then turn it faster"));
-    gain_->setText(run_->outOfRoom() ? tr("No motion is possible from here within the joint limits.") : QString());
+    sentence_->setText(!run_->refusal().isEmpty() ? tr("Bring the arm to another posture")
+                       : view.q                   ? tr("Move the tool, in all directions")
+                                                  : tr("Tilt the tool about all its axes, then turn it faster"));
+    gain_->setText(run_->refusal());
     return;
   }
   sentence_->setText(coachSentence(*advice));

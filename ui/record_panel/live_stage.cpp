@@ -1,6 +1,7 @@
 #include "ui/record_panel/live_stage.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/estimation/estimate.h"
 #include "ui/live/live_run.h"
@@ -37,6 +38,9 @@ void LiveStage::leave() {
   view_->setStepNote({});
   view_->showGhost(std::nullopt);
   view_->showGhostWay({});
+  view_->showGap(std::nullopt);
+  view_->showHulls({});
+  hulls_ = nullptr;
   if (begun_) view_->endLive();
 }
 
@@ -112,6 +116,14 @@ void LiveStage::showGhost() {
     }
   }
   view_->showGhost(q);
+  showGap(q ? q : run_->view().q);
+}
+
+void LiveStage::showGap(const std::optional<VectorXd>& q) {
+  const Clearance* clearance = run_->clearance();
+  if (!clearance || !q) return view_->showGap(std::nullopt);
+  if (std::exchange(hulls_, clearance) != clearance) view_->showHulls(clearance->hulls());
+  view_->showGap(clearance->nearest(*q));
 }
 
 }  // namespace heft

@@ -10,6 +10,7 @@
 
 namespace heft {
 
+class Clearance;
 class LiveRun;
 
 class LiveStage : public QObject {
@@ -29,6 +30,8 @@ class LiveStage : public QObject {
  private:
   void showGhost();
   void showAdvice();
+  /// Of the ghost, or of the arm itself while there is none.
+  void showGap(const std::optional<VectorXd>& q);
 
   LiveRun* run_;
   QPointer<RobotView> view_;
@@ -36,6 +39,7 @@ class LiveStage : public QObject {
   std::shared_ptr<const RobotLook> look_;
   QElapsedTimer ghostClock_;
   int refreshes_ = 0;
+  const Clearance* hulls_ = nullptr;  ///< Whose hulls the view has
 };
 
 }  // namespace heft

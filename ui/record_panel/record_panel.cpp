@@ -71,6 +71,7 @@ RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts), run_(only
   connect(&workspace(), &Workspace::recordingsChanged, this, &RecordPanel::refresh);
   connect(&workspace(), &Workspace::reportChanged, this, &RecordPanel::refresh);
   connect(&workspace(), &Workspace::busyChanged, this, &StepPanel::stateChanged);
+  connect(&workspace(), &Workspace::roomChanged, this, &RecordPanel::showRoom);
   connect(run_, &LiveRun::refreshed, this, &RecordPanel::liveRefreshed);
   connect(run_, &LiveRun::adviceChanged, this, [this] {
     if (board_) board_->refresh();
@@ -82,6 +83,7 @@ RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts), run_(only
   parts.followJobs(&looking_);
   parts.followJobs(&waiting_);
   parts.followJobs(&sampling_);
+  showRoom();
   if (run_->running()) {
     follow();
   } else {
@@ -222,6 +224,11 @@ void RecordPanel::listenTo(LiveOrigin origin, bool poses) {
 void RecordPanel::begin(LiveSetup setup, bool byClock) {
   setup.folder = recordedFolder();
   setup.shape = estimateOptions(workspace().session()).shape;
+  if (const auto& file = workspace().session().room; !file.empty()) {
+    auto room = readRoom(file);
+    if (!room) return fail(QString::fromStdString(room.error().message));
+    setup.room = std::move(*room);
+  }
   delete stage_;
   stage_ = nullptr;
   board_ = nullptr;
@@ -379,7 +386,33 @@ void RecordPanel::saveRecordingAs() {
   parts().say(Severity::info, tr("Saved %1.").arg(to));
 }
 
+void RecordPanel::chooseRoom() {
+  const auto& now = workspace().session().room;
+  const QString file = QFileDialog::getOpenFileName(
+      window(), tr("Choose a room"), now.empty() ? QString() : QString::fromStdString(now.parent_path().string()),
+      tr("Rooms (*.json);;All files (*)"));
+  if (file.isEmpty()) return;
+  if (const auto taken = setRoom(file); !taken)
+    parts().say(Severity::error, QString::fromStdString(taken.error().message));
+}
+
+Result<bool> RecordPanel::setRoom(const QString& file) {
+  const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
+  if (const auto room = readRoom(path); !room) return room.error();
+  workspace().setRoom(path, tr("Choose a room"));
+  return true;
+}
+
+void RecordPanel::showRoom() {
+  if (!parts().view) return;
+  const auto& file = workspace().session().room;
+  const auto room = file.empty() ? Result<Room>(Room()) : readRoom(file);
+  parts().view->showRoom(room ? *room : Room());
+  if (!room) parts().say(Severity::warning, QString::fromStdString(room.error().message));
+}
+
 void RecordPanel::addActions(const StudioMenus& menus) {
+  menus.tools->addAction(tr("Choose a &room …"), this, &RecordPanel::chooseRoom)->setObjectName("chooseRoomAction");
   menus.file->addAction(tr("Save &recording as …"), this, &RecordPanel::saveRecordingAs)
       ->setObjectName("saveRecordingAs");
   menus.file->addAction(tr("Open the recordings f&older"), this, [] {

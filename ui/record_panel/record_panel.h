@@ -41,7 +41,7 @@ class RecordPanel : public StepPanel {
   void keepUnderWay() override;
   void addActions(const StudioMenus& menus) override;
   /// live virtual SECONDS [TOOL] | live poses SECONDS [TOOL] | live pass SECONDS | live replay FILE |
-  /// live guide DX DY DZ [RX RY RZ] | live show | live form | live stop | live discard
+  /// live guide DX DY DZ [RX RY RZ] | live room FILE | live show | live form | live stop | live discard
   std::optional<Result<bool>> obey(const QStringList& words) override;
 
   enum class Way { files, live, virtualArm };
@@ -65,6 +65,12 @@ class RecordPanel : public StepPanel {
   void addVirtual(QVBoxLayout* column);
   void addOpened(QVBoxLayout* column);
   void addRecent(QVBoxLayout* column);
+  void addRoom(QVBoxLayout* column);
+  void chooseRoom();
+  /// Takes a room over where it can be read.
+  Result<bool> setRoom(const QString& file);
+  /// The session's room in the view.
+  void showRoom();
   void addSamples(QVBoxLayout* column);
   void openSample(const Sample& sample);
   void listenTo(LiveOrigin origin, bool poses);

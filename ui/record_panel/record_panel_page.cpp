@@ -15,6 +15,7 @@
 #include "ui/record_panel/live_board.h"
 #include "ui/record_panel/record_panel.h"
 #include "ui/record_panel/recording_list.h"
+#include "ui/record_panel/room_row.h"
 #include "ui/record_panel/samples.h"
 #include "ui/record_panel/source_form.h"
 #include "ui/theme/icons.h"
@@ -51,6 +52,7 @@ void RecordPanel::refresh() {
       addWays(column);
       form_ = new SourceForm(page()->content());
       column->addWidget(form_);
+      addRoom(column);
       page()->setSecondButton({});
       page()->setMainButton(tr("Connect and record"), [this] { startListening(); });
       break;
@@ -59,6 +61,7 @@ void RecordPanel::refresh() {
       column = page()->restart(tr("Try it without a robot"), forVirtual);
       addWays(column);
       addVirtual(column);
+      addRoom(column);
       break;
   }
   column->addStretch(1);
@@ -170,6 +173,12 @@ void RecordPanel::addVirtual(QVBoxLayout* column) {
   page()->setSecondButton(tr("Standing poses"), [this] { startVirtual(tool_, true, true); });
   page()->setMainButton(
       tr("Start guiding"), [this] { startVirtual(tool_, false, true); }, "hand");
+}
+
+void RecordPanel::addRoom(QVBoxLayout* column) {
+  auto* row = new RoomRow(&workspace(), page()->content());
+  connect(row, &RoomRow::chooseWanted, this, &RecordPanel::chooseRoom);
+  column->addWidget(row);
 }
 
 void RecordPanel::addOpened(QVBoxLayout* column) {

@@ -39,6 +39,7 @@ std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
     run_->pass(seconds);
     return Result<bool>(true);
   }
+  if (what == "room" && words.size() == 3) return setRoom(words[2]);
   if (what == "form") {
     way_ = Way::live;
     refresh();
@@ -93,7 +94,7 @@ std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
     showNoLive();
     return Result<bool>(true);
   }
-  return wrong(tr("live expects virtual, poses, replay, pass, guide, show, change, stop or discard."));
+  return wrong(tr("live expects virtual, poses, replay, pass, guide, room, show, change, stop or discard."));
 }
 
 }  // namespace heft

@@ -11,6 +11,7 @@
 
 #include "ui/models/numbers.h"
 #include "ui/robot_view/dimension_editor.h"
+#include "ui/robot_view/gap_mark.h"
 #include "ui/robot_view/label_overlay.h"
 #include "ui/robot_view/posed_arm.h"
 #include "ui/robot_view/scene_state.h"
@@ -236,6 +237,7 @@ void RobotView::showNothing() {
   track_.reset();
   clearEstimate();
   pull_.reset();
+  gap_.reset();
   causes_.clear();
   sweep_.clear();
   scene_.path.reset();
@@ -509,6 +511,7 @@ void RobotView::paintOver(QPainter& painter) const {
   if (pull_) paintPull(painter, *pull_, X_BS_.translation(), view);
   for (const CauseMark& cause : causes_) paintCause(painter, cause, X_BS_, scene_.down, view);
   if (handles_) handles_->paint(painter, view);
+  if (gap_) paintGap(painter, *gap_, view);
 }
 
 void RobotView::showCauses(std::vector<CauseMark> causes) {
@@ -550,6 +553,21 @@ void RobotView::showGhost(const std::optional<VectorXd>& joints) {
 void RobotView::showGhostWay(const std::vector<Vector3d>& way) {
   scene_.ghostWay = way.empty() ? nullptr : std::make_shared<const std::vector<Vector3d>>(way);
   ghostEnd_ = way.empty() ? std::nullopt : std::optional(way.back());
+  viewport_->requestFrame();
+}
+
+void RobotView::showRoom(const Room& room) {
+  scene_.room = room.obstacles.empty() ? nullptr : std::make_shared<const std::vector<ToolSolid>>(roomSolids(room));
+  viewport_->requestFrame();
+}
+
+void RobotView::showHulls(const std::vector<HullSurface>& hulls) {
+  scene_.hulls = hulls.empty() ? nullptr : std::make_shared<const std::vector<HullEdges>>(hullEdges(hulls));
+  viewport_->requestFrame();
+}
+
+void RobotView::showGap(const std::optional<Nearest>& gap) {
+  gap_ = gap && !gap->first.empty() ? gap : std::nullopt;
   viewport_->requestFrame();
 }
 

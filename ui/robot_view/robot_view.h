@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/collision/clearance.h"
 #include "core/estimation/estimate.h"
 #include "core/payload/shape.h"
 #include "core/recording/recording.h"
@@ -75,6 +76,13 @@ class RobotView : public QWidget {
   void showGhost(const std::optional<VectorXd>& joints);
   /// The way of the suggested motion, B axes [m]; empty hides it.
   void showGhostWay(const std::vector<Vector3d>& way);
+  /// What stands around the arm; without obstacles nothing. It stays until it is replaced.
+  void showRoom(const Room& room);
+  /// Of arm and tool, about the ghost; empty hides them.
+  void showHulls(const std::vector<HullSurface>& hulls);
+  /// The two bodies that are nearest to each other; nothing hides the mark. Taken out again by the step that put it in.
+  void showGap(const std::optional<Nearest>& gap);
+  const std::optional<Nearest>& gap() const { return gap_; }
   /// What pulls at the tool; nothing hides it. Taken out again by the step that put it in.
   void showPull(const std::optional<PullMark>& pull);
   /// What else was found to act on arm and tool; likewise.
@@ -170,6 +178,7 @@ class RobotView : public QWidget {
   std::vector<DimensionLine> dimensions_;
   DimensionEditor* editor_;
   std::optional<PullMark> pull_;
+  std::optional<Nearest> gap_;
   std::vector<CauseMark> causes_;
   struct Kept;
   std::unique_ptr<Kept> kept_;  ///< What was shown before something live; null otherwise.

@@ -16,6 +16,7 @@
 
 #include "ui/robot_view/ghost_arm.h"
 #include "ui/robot_view/piece.h"
+#include "ui/robot_view/room_shape.h"
 #include "ui/robot_view/soft_shadow.h"
 #include "ui/robot_view/solids.h"
 #include "ui/robot_view/stage.h"
@@ -102,12 +103,13 @@ struct Scene3d::Impl {
   std::array<Piece, 3> axes;
   ToolShape tool;
   GhostArm ghost;
+  RoomShape room;
   SoftShadow shadow;
 
   const Theme* theme = nullptr;  ///< Of what is shown; null before anything is.
   SceneState state;
 
-  explicit Impl(vtkRenderer* r) : renderer(r), stage(r), tool(r), ghost(r) {
+  explicit Impl(vtkRenderer* r) : renderer(r), stage(r), tool(r), ghost(r), room(r) {
     renderer->GetRenderWindow()->SetNumberOfLayers(2);
     front->SetLayer(1);
     front->InteractiveOff();
@@ -286,6 +288,7 @@ struct Scene3d::Impl {
       if (piece.ghost) makeTranslucent(piece.piece.actor, theme->tool, 0.26);
     tool.restyle(*theme);
     ghost.restyle(*theme);
+    room.restyle(*theme);
   }
 };
 
@@ -308,7 +311,11 @@ void Scene3d::show(const SceneState& state, const Theme& theme) {
   const bool moved = before.X_BS.matrix() != state.X_BS.matrix();
   if (robot) s.rebuildRobot();
   if (tool) s.tool.setBodies(state.tool(), state.selectedBody());
-  if (colours || tool || robot) s.restyle();
+  const bool room = before.room != state.room, hulls = before.hulls != state.hulls;
+  if (room) s.room.setRoom(state.room ? *state.room : std::vector<ToolSolid>());
+  if (hulls) s.room.setHulls(state.hulls ? *state.hulls : std::vector<HullEdges>());
+  if (colours || tool || robot || room || hulls) s.restyle();
+  if (hulls || !samePoses(before.ghost, state.ghost)) s.room.setPoses(state.ghost);
   if (arm) s.placeLinks();
   if (robot || colours || arm || !samePoses(before.ghost, state.ghost)) s.ghost.setPoses(state.ghost, state.X_BL);
   if (way) s.ghost.setWay(state.ghostWay ? *state.ghostWay : std::vector<Vector3d>());

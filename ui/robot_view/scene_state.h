@@ -10,6 +10,7 @@
 #include "core/payload/shape.h"
 #include "core/recording/recording.h"
 #include "ui/robot_view/robot_look.h"
+#include "ui/robot_view/room_solid.h"
 #include "ui/robot_view/tool_solid.h"
 
 namespace heft {
@@ -61,6 +62,8 @@ struct SceneState {
   std::shared_ptr<const std::vector<PathSample>> path;
   std::vector<Isometry3d> ghost;  ///< A second, translucent arm with its links there; empty for none
   std::shared_ptr<const std::vector<Vector3d>> ghostWay;
+  std::shared_ptr<const std::vector<ToolSolid>> room;   ///< B axes; null for none
+  std::shared_ptr<const std::vector<HullEdges>> hulls;  ///< Drawn about the ghost; null for none
   SceneParts parts;
 
   struct ToolBody {

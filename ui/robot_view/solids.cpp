@@ -156,6 +156,19 @@ vtkSmartPointer<vtkPolyData> toPolyData(const MeshPart& part) {
   return data;
 }
 
+vtkSmartPointer<vtkPolyData> toLines(const std::vector<std::vector<Vector3d>>& edges) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  auto lines = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& edge : edges) {
+    lines->InsertNextCell(static_cast<vtkIdType>(edge.size()));
+    for (const Vector3d& p : edge) lines->InsertCellPoint(points->InsertNextPoint(p.x(), p.y(), p.z()));
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetLines(lines);
+  return data;
+}
+
 vtkSmartPointer<vtkPolyData> makeArrow(const Vector3d& from, const Vector3d& to, double radius) {
   return makeBentArrow({from, to}, radius);
 }

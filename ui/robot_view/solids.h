@@ -12,6 +12,8 @@
 namespace heft {
 
 vtkSmartPointer<vtkPolyData> toPolyData(const MeshPart& part);
+/// Polylines.
+vtkSmartPointer<vtkPolyData> toLines(const std::vector<std::vector<Vector3d>>& edges);
 
 /// Straight arrow; its head is shortened where the arrow is short. Empty if shorter than a hair.
 vtkSmartPointer<vtkPolyData> makeArrow(const Vector3d& from, const Vector3d& to, double radius);

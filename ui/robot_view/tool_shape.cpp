@@ -1,30 +1,11 @@
 #include "ui/robot_view/tool_shape.h"
 
-#include <vtkCellArray.h>
-#include <vtkPoints.h>
 #include <vtkProperty.h>
 
 #include "ui/robot_view/solids.h"
 #include "ui/theme/theme.h"
 
 namespace heft {
-namespace {
-
-vtkSmartPointer<vtkPolyData> toLines(const std::vector<std::vector<Vector3d>>& edges) {
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  auto lines = vtkSmartPointer<vtkCellArray>::New();
-  for (const auto& edge : edges) {
-    lines->InsertNextCell(static_cast<vtkIdType>(edge.size()));
-    for (const Vector3d& p : edge) lines->InsertCellPoint(points->InsertNextPoint(p.x(), p.y(), p.z()));
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetLines(lines);
-  return data;
-}
-
-}  // namespace
-
 void ToolShape::setBodies(const std::vector<SceneState::ToolBody>& bodies, int selected) {
   selected_ = selected;
   while (bodies_.size() > bodies.size()) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ui/models/numbers.h"
+#include "ui/robot_view/gap_mark.h"
 #include "ui/robot_view/label_overlay.h"
 #include "ui/robot_view/robot_view.h"
 #include "ui/robot_view/scene_state.h"
@@ -36,6 +37,7 @@ void RobotView::updateLabels() {
     if (!ghostTitle_.isEmpty()) add(ghostEnd_, ghostTitle_, ghostNote_);
     if (editing_) add(anchors.sensor, tr("sensor, tool side"), tr("the shape sits on this face"));
   }
+  if (gap_) add(0.5 * (gap_->onFirst + gap_->onSecond), gapTitle(*gap_), gapNote(*gap_));
   for (const CauseMark& cause : causes_)
     labels.push_back({causePixel(cause, X_BS_, scene_.down, view), cause.title, cause.note});
   if (pull_) labels.push_back({pullPixel(*pull_, X_BS_.translation(), view), pull_->title, pull_->note});

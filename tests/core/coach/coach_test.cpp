@@ -188,6 +188,33 @@ TEST(Coach, KeepsClearOfARoom) {
   EXPECT_THAT(advised.error().message, testing::HasSubstr("stays clear"));
 }
 
+// What the arm holds grows until the joints cannot: before, the same motion is made smaller.
+TEST(Coach, KeepsTheJointsTorques) {
+  const GuidedTool tool = *guidedTool(RobotModel::panda(), SensorMount{});
+  const VectorXd q = dullMotion().q.bottomRows(1).transpose();
+  CoachOptions options;
+  const auto unloaded = namedMotion("tilt-forwards", tool, q, options);
+  ASSERT_TRUE(unloaded) << unloaded.error().message;
+  EXPECT_GT(unloaded->use.torque.share, 0.1);
+  EXPECT_THAT(unloaded->use.torque.joint, testing::StartsWith("panda_joint"));
+  bool smaller = false, refused = false;
+  for (double mass = 1.0; mass < 30.0 && !refused; mass += 0.5) {
+    options.limits.payload = Payload{mass, {0.0, 0.0, 0.15}, Matrix3d::Zero()};
+    const auto motion = namedMotion("tilt-forwards", tool, q, options);
+    if (motion) {
+      const TorqueUse whole = torqueUse(tool, unloaded->motion, options.limits);
+      EXPECT_LE(torqueUse(tool, motion->motion, options.limits).share, 1.0) << mass;
+      EXPECT_EQ(motion->motion.q == unloaded->motion.q, whole.share <= 1.0) << mass;
+      smaller = smaller || whole.share > 1.0;
+    } else {
+      refused = true;
+      EXPECT_THAT(motion.error().message, testing::ContainsRegex("Joint panda_joint[0-9] would need"));
+    }
+  }
+  EXPECT_TRUE(smaller);
+  EXPECT_TRUE(refused);
+}
+
 TEST(Coach, AMotionIsHadByItsNameAndKeepsTheLimits) {
   const GuidedTool tool = *guidedTool(RobotModel::panda(), SensorMount{});
   const VectorXd q = dullMotion().q.bottomRows(1).transpose();

@@ -73,6 +73,16 @@ TEST(Excitation, PromisesMoreThanTheReplayAndKeepsThePromise) {
   EXPECT_GT(got.inertia, 0.4 * excited->after.inertia);
 }
 
+TEST(Excitation, RefusesWhatTheJointsCannotHold) {
+  const Taught& t = taught();
+  OnlineInformation heavy = t.information;
+  heavy.solution.phi = toParameters(test::boxPayload(20.0, {0.1, 0.1, 0.1}, {0.0, 0.0, 0.1}));
+  const auto excited = excite(t.recording, t.tool, t.segments, heavy);
+  ASSERT_FALSE(excited.ok());
+  EXPECT_THAT(excited.error().message, testing::ContainsRegex("Joint panda_joint[0-9] would need [0-9.]+ of the"));
+  EXPECT_THAT(excited.error().message, testing::HasSubstr(" s into the motion"));
+}
+
 TEST(Excitation, FastDemonstrationsAreSlowedDown) {
   const Recording fast = test::simulated(MotionKind::free, test::onlineTool(), 6, 8.0, 1.0);
   const Taught& t = taught();

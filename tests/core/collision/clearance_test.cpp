@@ -93,6 +93,30 @@ TEST(Clearance, ThinWallsAndWhatIsInsideAreSeen) {
   EXPECT_EQ(clearanceOf("", room).nearest(home).distance, 0.0) << "wholly inside";
 }
 
+TEST(Clearance, TellsWhereTheTwoAreNearest) {
+  const VectorXd home = panda().homePosture();
+  Room room;
+  Isometry3d X_BO = Isometry3d::Identity();
+  X_BO.translation() = Vector3d(0.31, 0.35, 0.5);
+  room.obstacles.push_back({"rack", RoomBox{{0.3, 0.1, 0.6}, X_BO}});
+  for (const Room& around : {room, withTable(0.0), withTable(0.1), withTable(0.6)}) {
+    const Clearance clearance = clearanceOf("box:0.06,0.06,0.16@0,0,0.08", around);
+    const Nearest nearest = clearance.nearest(home);
+    if (nearest.distance > 0.0) {
+      EXPECT_NEAR((nearest.onFirst - nearest.onSecond).norm(), nearest.distance, 1e-3) << nearest.second;
+    }
+    EXPECT_EQ(nearest.tooNear(), nearest.distance <= nearest.margin);
+    // One hull a link that looks like something, and the tool's.
+    std::vector<int> links;
+    for (const HullSurface& hull : clearance.hulls()) {
+      EXPECT_GE(hull.triangles.size(), 4u);
+      links.push_back(hull.link);
+    }
+    EXPECT_THAT(links, testing::Contains(*panda().findLink("panda_link8")));
+    EXPECT_THAT(links, testing::Contains(*panda().findLink("panda_link4")));
+  }
+}
+
 // Against 400 looks along each motion: none that these see is missed, and each that is told is one.
 TEST(Clearance, AgreesWithADenseSamplingOfRandomMotions) {
   Room room = withTable(-0.1);

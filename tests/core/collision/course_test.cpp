@@ -43,5 +43,15 @@ TEST(Course, JointsBelowTwoLinksMoveNeitherAgainstTheOther) {
   EXPECT_EQ(jointReach(robot, *robot.findLink("panda_link3"), Vector3d::Zero())(5), 0.0);
 }
 
+TEST(Course, TheFirstLinkOfAnArmOnATableStaysAsHighAsItIs) {
+  const RobotModel& robot = RobotModel::panda();
+  const int first = *robot.findLink("panda_link1"), second = *robot.findLink("panda_link2");
+  EXPECT_FALSE(changesHeight(robot, first, Vector3d::UnitZ()));
+  EXPECT_FALSE(changesHeight(robot, first, -Vector3d::UnitZ()));
+  EXPECT_TRUE(changesHeight(robot, first, Vector3d::UnitX()));
+  EXPECT_TRUE(changesHeight(robot, first, Vector3d(0.0, 0.01, 1.0).normalized()));
+  EXPECT_TRUE(changesHeight(robot, second, Vector3d::UnitZ()));
+}
+
 }  // namespace
 }  // namespace heft

@@ -51,6 +51,7 @@ class SessionTest : public testing::Test {
     session.controller.told = {0.5, Vector3d(0.0, 0.0, 0.04), {}};
     session.controller.source = "tool.json";
     session.controller.collisionForce = 25.0;
+    session.room = folder / "rooms" / "cell.json";
     session.proof = R"({"schema":"heft.prove/1"})";
     session.step = "mark";
     return session;
@@ -93,6 +94,7 @@ TEST_F(SessionTest, ComesBackAsItWasSaved) {
   EXPECT_EQ(after->controller.source, "tool.json");
   EXPECT_EQ(after->controller.collisionForce, 25.0);
   EXPECT_EQ(after->controller.stiffness, ControllerChoice().stiffness);
+  EXPECT_EQ(after->room, before.room);
   EXPECT_EQ(after->proof, before.proof);
   EXPECT_EQ(after->step, "mark");
   EXPECT_EQ(after->home, file);

@@ -1,0 +1,60 @@
+#include "ui/record_panel/room_row.h"
+
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "core/collision/room.h"
+#include "ui/controller/workspace.h"
+#include "ui/models/numbers.h"
+#include "ui/widgets/basics.h"
+
+namespace heft {
+
+QString roomText(const QString& file, const Room& room) {
+  return RoomRow::tr("%1: %n obstacle(s), and nothing comes nearer than %2 mm.", "",
+                     static_cast<int>(room.obstacles.size()))
+      .arg(QFileInfo(file).fileName(), numberText(1e3 * room.margin, 0));
+}
+
+RoomRow::RoomRow(Workspace* workspace, QWidget* parent) : QWidget(parent), workspace_(workspace) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 6, 0, 0);
+  column->addWidget(styledLabel(tr("What is in the way"), "sectionTitle", this));
+  words_ = wrappedLabel({}, "caption", this);
+  column->addWidget(words_);
+  auto* buttons = new QHBoxLayout;
+  choose_ = new QPushButton(tr("Choose a room …"), this);
+  choose_->setObjectName("chooseRoom");
+  choose_->setToolTip(
+      tr("Walls, tables, boxes and meshes (heft.room/1). “heft room” writes one from walls that were "
+         "touched by hand."));
+  remove_ = new QPushButton(tr("Remove"), this);
+  remove_->setObjectName("removeRoom");
+  for (QPushButton* button : {choose_, remove_}) {
+    button->setProperty("role", "plain");
+    buttons->addWidget(button);
+  }
+  buttons->addStretch(1);
+  column->addLayout(buttons);
+  connect(choose_, &QPushButton::clicked, this, &RoomRow::chooseWanted);
+  connect(remove_, &QPushButton::clicked, this, [this] { workspace_->setRoom({}, tr("Remove the room")); });
+  connect(workspace_, &Workspace::roomChanged, this, &RoomRow::refresh);
+  refresh();
+}
+
+void RoomRow::refresh() {
+  const auto& file = workspace_->session().room;
+  remove_->setVisible(!file.empty());
+  if (file.empty())
+    return words_->setText(
+        tr("Walls and tables are not known: what the coach proposes keeps the arm off itself and off "
+           "its tool only."));
+  const auto room = readRoom(file);
+  words_->setText(room ? roomText(QString::fromStdString(file.string()), *room)
+                       : QString::fromStdString(room.error().message));
+}
+
+}  // namespace heft

@@ -1,0 +1,32 @@
+#pragma once
+// What stands around the arm, as the page of Record asks for it.
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+
+namespace heft {
+
+struct Room;
+class Workspace;
+
+class RoomRow : public QWidget {
+  Q_OBJECT
+ public:
+  RoomRow(Workspace* workspace, QWidget* parent);
+
+ signals:
+  void chooseWanted();
+
+ private:
+  void refresh();
+
+  Workspace* workspace_;
+  QLabel* words_;
+  QPushButton *choose_, *remove_;
+};
+
+/// "workshop.json: 3 obstacles, nothing comes nearer than 20 mm"
+QString roomText(const QString& file, const Room& room);
+
+}  // namespace heft
