@@ -76,9 +76,10 @@ int runCommandLine(int argc, char** argv) {
                             heft::cli::makeSegmentCommand(root),  heft::cli::makeLiveCommand(root),
                             heft::cli::makeCoachCommand(root),    heft::cli::makeExciteCommand(root),
                             heft::cli::makeRoomCommand(root),     heft::cli::makeCompensateCommand(root),
-                            heft::cli::makeProveCommand(root),    heft::cli::makeSimulateCommand(root),
-                            heft::cli::makeExportCommand(root),   heft::cli::makeExportModelCommand(root),
-                            heft::cli::makeConvertCommand(root),  heft::cli::makeReproduceCommand(root)};
+                            heft::cli::makeProveCommand(root),    heft::cli::makePassportCommand(root),
+                            heft::cli::makeSimulateCommand(root), heft::cli::makeExportCommand(root),
+                            heft::cli::makeExportModelCommand(root), heft::cli::makeConvertCommand(root),
+                            heft::cli::makeReproduceCommand(root)};
   const auto names = [&] {
     std::vector<std::string> list;
     for (const Command& command : commands) list.push_back(command.app->get_name());

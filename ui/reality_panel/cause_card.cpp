@@ -15,6 +15,7 @@
 #include "core/diagnosis/report/report.h"
 #include "ui/controller/diagnosis.h"
 #include "ui/models/numbers.h"
+#include "ui/models/said_now.h"
 #include "ui/reality_panel/cause_words.h"
 #include "ui/theme/icons.h"
 
@@ -566,8 +567,8 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
       "caption", card.frame));
   QString helps = Say::tr("record the same motion once more, without touching anything, and compare.");
   if (const Finding* seen = seenInReadings(report)) {
-    card.layout->addWidget(wrappedLabel(QString::fromStdString(seen->text), "caption", card.frame));
-    helps = QString::fromStdString(seen->remedy);
+    card.layout->addWidget(wrappedLabel(saidNow(seen->text), "caption", card.frame));
+    helps = saidNow(seen->remedy);
   }
   auto* row = new QHBoxLayout;
   row->addWidget(boldFirst(Say::tr("What helps:"), helps, card.frame), 1);

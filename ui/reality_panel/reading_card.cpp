@@ -10,6 +10,7 @@
 
 #include "core/motion/motion.h"
 #include "ui/models/numbers.h"
+#include "ui/models/said_now.h"
 #include "ui/reality_panel/cause_words.h"
 #include "ui/theme/icons.h"
 
@@ -127,9 +128,9 @@ QWidget* makeReadingCard(const DiagnosisReport& report, const DiagnosedCause& ca
   if (curves && !state.applied) addCurves(card.layout, *curves, report.meta.kind == RecordingKind::poses, card.frame);
   if (!state.applied) {
     for (const auto& tie : mistake.ties)
-      card.layout->addWidget(said(ReadingWords::tr("Fits as well:"), QString::fromStdString(tie.sentence), card.frame));
+      card.layout->addWidget(said(ReadingWords::tr("Fits as well:"), saidNow(tie.sentence), card.frame));
     if (mistake.tied && !mistake.decides.empty())
-      card.layout->addWidget(said(ReadingWords::tr("To decide:"), QString::fromStdString(mistake.decides), card.frame));
+      card.layout->addWidget(said(ReadingWords::tr("To decide:"), saidNow(mistake.decides), card.frame));
     card.layout->addWidget(
         said(ReadingWords::tr("At the driver:"), QString::fromStdString(mistake.check()), card.frame));
   }

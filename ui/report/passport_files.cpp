@@ -1,4 +1,4 @@
-#include "ui/report/passport_page.h"
+#include "ui/report/passport_files.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -9,10 +9,8 @@
 
 #include "core/base/json_file.h"
 #include "core/compensation/passport.h"
-#include "ui/models/numbers.h"
+#include "core/compensation/passport_page.h"
 #include "ui/models/proof_text.h"
-#include "ui/models/result_text.h"
-#include "ui/models/units.h"
 #include "ui/reality_panel/cause_words.h"
 #include "ui/report/paper.h"
 
@@ -54,86 +52,6 @@ PassportContent contentOf(const PassportParts& parts) {
   return out;
 }
 
-QString numbersPart(const EstimateReport& report) {
-  const ResultText text = describeResult(report, {});
-  QString rows = paper::row({PassportWords::tr("Number"), PassportWords::tr("Value"), PassportWords::tr("95 %"),
-                             PassportWords::tr("Known from")},
-                            true);
-  const auto add = [&](const QString& name, const NumberText& n, const QString& unit) {
-    // Some intervals name their unit themselves.
-    const bool named = n.plusMinus.contains(unit);
-    rows += paper::row({name, n.value, named ? n.plusMinus : n.plusMinus + ' ' + unit, sourceWord(n.source)});
-  };
-  add(PassportWords::tr("Mass"), text.mass, massUnit().name);
-  for (const NumberText& n : text.com) add(PassportWords::tr("Centre %1").arg(n.name), n, lengthUnit().name);
-  for (const NumberText& n : text.inertia) add(n.name, n, text.inertiaUnit);
-  return paper::heading(PassportWords::tr("Numbers, in the sensor’s axes")) + paper::table(rows);
-}
-
-QString provedPart(const json& passport) {
-  QString out = paper::heading(PassportWords::tr("Proof"));
-  const auto text = describeProof(passport["proof"].dump(), nullptr);
-  if (!text) return out + paper::paragraph(PassportWords::tr("These numbers were not proved on another recording."));
-  out += QStringLiteral("<p><b>%1</b></p>\n").arg(paper::escaped(text->headline));
-  for (const auto& reason : text->reasons) out += paper::paragraph(reason.text);
-  return out + paper::paragraph(text->facts.join(' '));
-}
-
-QString causesPart(const json& passport) {
-  QString out = paper::heading(PassportWords::tr("Causes of misfit"));
-  if (!passport["looked_for_causes"].get<bool>()) return out + paper::paragraph(PassportWords::tr("The reality check was not run."));
-  if (passport["causes"].empty()) out += paper::paragraph(PassportWords::tr("None was found."));
-  for (const json& cause : passport["causes"])
-    out += paper::paragraph(textAt(cause, "sentence") + ' ' +
-                            (cause["applied"].get<bool>() ? PassportWords::tr("It is taken out of the numbers.")
-                                                          : PassportWords::tr("It is not taken out of the numbers.")));
-  QStringList unseen;
-  for (const json& phrase : passport["not_seen"]) unseen << QString::fromStdString(phrase.get<std::string>());
-  if (!unseen.isEmpty())
-    out += paper::paragraph(PassportWords::tr("Could not have been seen: %1.").arg(unseen.join(", ")));
-  return out;
-}
-
-/// "mass_kg" and its like as people say it, in the unit shown.
-struct Quantity {
-  QString name, unit;
-  double scale;
-  int decimals;
-};
-Quantity quantityOf(const QString& id) {
-  if (id == QLatin1String("mass_kg"))
-    return {PassportWords::tr("Mass"), massUnit().name, massUnit().scale, 3 + massUnit().decimals};
-  if (id.startsWith(QLatin1String("com_")))
-    return {PassportWords::tr("Centre %1").arg(id.mid(4, 1)), lengthUnit().name, lengthUnit().scale,
-            1 + lengthUnit().decimals};
-  return {QStringLiteral("I") + id.mid(8, 2), QString::fromUtf8("kg cm²"), 1e4, 2};
-}
-
-QString changePart(const json& passport) {
-  const json& since = passport["since"];
-  if (!since.is_object()) return {};
-  QString out = paper::heading(PassportWords::tr("Since the passport of %1").arg(textAt(since, "date")));
-  const bool changed = since["mass_and_centre_changed"].get<bool>() || since["inertia_changed"].get<bool>();
-  out += paper::paragraph(changed ? PassportWords::tr("The tool has changed, by more than chance.")
-                                  : PassportWords::tr("Nothing has changed beyond chance."));
-  if (since["other_mount"].get<bool>())
-    out +=
-        paper::paragraph(PassportWords::tr("The sensor’s mount is stated otherwise, so the mass alone is compared."));
-  QString rows = paper::row({PassportWords::tr("Number"), PassportWords::tr("Before"), PassportWords::tr("Now"),
-                             PassportWords::tr("Difference"), QString()},
-                            true);
-  for (const json& each : since["numbers"]) {
-    const Quantity q = quantityOf(textAt(each, "quantity"));
-    const auto shown = [&](const char* key, double times = 1.0) {
-      return numberText(times * q.scale * each[key].get<double>(), q.decimals);
-    };
-    rows += paper::row({q.name, shown("before"), shown("now"),
-                        QStringLiteral("%1 ± %2 %3").arg(shown("difference"), shown("std", 1.96), q.unit),
-                        each["more_than_chance"].get<bool>() ? PassportWords::tr("changed") : QString()});
-  }
-  return out + paper::table(rows);
-}
-
 }  // namespace
 
 QString newestPassport(const QString& folder, const QString& tool, const QString& except) {
@@ -150,20 +68,6 @@ QString newestPassport(const QString& folder, const QString& tool, const QString
   return newest;
 }
 
-QString passportHtml(const std::string& text, const EstimateReport& report) {
-  const json passport = json::parse(text);
-  QString out = paper::beginning(PassportWords::tr("Payload passport: %1").arg(textAt(passport, "tool")));
-  out += paper::paragraph(PassportWords::tr("%1, %2. Recording %3.")
-                              .arg(textAt(passport, "date"), textAt(passport, "program"),
-                                   QFileInfo(QString::fromStdString(report.file)).fileName()));
-  if (report.trust == Trust::low)
-    out +=
-        QStringLiteral("<p><b>%1</b></p>\n")
-            .arg(paper::escaped(PassportWords::tr("These numbers deserve little trust; see the result’s warnings.")));
-  out += numbersPart(report) + provedPart(passport) + causesPart(passport) + changePart(passport);
-  return out + paper::ending();
-}
-
 Result<bool> writePassport(const PassportParts& parts, const QString& file, const QString& before, bool replace) {
   const auto report = parts.workspace->report();
   if (!report) return Error{PassportWords::tr("A passport needs a result.").toStdString()};
@@ -175,7 +79,7 @@ Result<bool> writePassport(const PassportParts& parts, const QString& file, cons
     for (const QString& each : {pdf, jsonFile})
       if (QFileInfo::exists(each))
         return Error{PassportWords::tr("%1 exists already and was not replaced.").arg(each).toStdString()};
-  auto passport = passportOf(contentOf(parts), *report);
+  auto passport = passportOf(contentOf(parts), toJson(*report), report->file);
   if (!passport) return passport.error();
   if (!before.isEmpty()) {
     const auto read = readJsonFile(before.toStdString());
@@ -184,8 +88,8 @@ Result<bool> writePassport(const PassportParts& parts, const QString& file, cons
     if (!change) return change.error();
     (*passport)["since"] = toJson(*change);
   }
-  const QString html = passportHtml(passport->dump(), *report);
-  const QString title = PassportWords::tr("Payload passport: %1").arg(parts.tool.trimmed());
+  const QString html = QString::fromStdString(passportPage(*passport, pageUnits(), QLocale().name().left(2).toStdString()));
+  const QString title = QString::fromStdString(passportTitle(*passport));
   if (auto written = writeTextFile(jsonFile.toStdString(), passport->dump(2) + "\n"); !written) return written;
   return writeTextFile(pdf.toStdString(), paper::pdf(html, title).toStdString());
 }
