@@ -131,14 +131,6 @@
         <translation>Weit über dem, was Rauschen allein ergäbe.</translation>
     </message>
     <message>
-        <source>mass %1 → %2 kg</source>
-        <translation>Masse %1 → %2 kg</translation>
-    </message>
-    <message>
-        <source>centre %1 %2 → %3 mm</source>
-        <translation>Schwerpunkt %1 %2 → %3 mm</translation>
-    </message>
-    <message>
         <source>Time [s]</source>
         <translation>Zeit [s]</translation>
     </message>
@@ -255,10 +247,6 @@
         <translation>Es bleibt nur das Rauschen des Sensors.</translation>
     </message>
     <message>
-        <source>Error %1, noise floor %2; torque %3 N m.</source>
-        <translation>Fehler %1, Rauschen %2; Drehmoment %3 N m.</translation>
-    </message>
-    <message>
         <source>Show the motion</source>
         <translation>Bewegung zeigen</translation>
     </message>
@@ -275,10 +263,6 @@
         <translation>Fehler: %1 [%2]</translation>
     </message>
     <message>
-        <source>%1 N m</source>
-        <translation>%1 N m</translation>
-    </message>
-    <message>
         <source>Value and half of its 95 % interval; in files: %1</source>
         <translation>Wert und halber 95-%-Bereich; in Dateien: %1</translation>
     </message>
@@ -289,10 +273,6 @@
     <message>
         <source>Forces fit less well with it there: %1 → %2.</source>
         <translation>Die Kräfte passen dort damit schlechter: %1 → %2.</translation>
-    </message>
-    <message>
-        <source>Torques fit less well with it there: %1 → %2 N m.</source>
-        <translation>Die Drehmomente passen dort damit schlechter: %1 → %2 N m.</translation>
     </message>
     <message>
         <source>These stretches are left out already; the step Mark shows them.</source>
@@ -335,10 +315,6 @@
         <translation>, </translation>
     </message>
     <message>
-        <source>mass ± %1 → ± %2 kg</source>
-        <translation>Masse ± %1 → ± %2 kg</translation>
-    </message>
-    <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
@@ -361,6 +337,26 @@
     <message>
         <source>“Apply” takes out the first, “%1”, which fits a little better.</source>
         <translation>„Anwenden“ nimmt die erste heraus, „%1“, die etwas besser passt.</translation>
+    </message>
+    <message>
+        <source>Torques fit less well with it there: %1 → %2.</source>
+        <translation>Die Drehmomente passen dort damit schlechter: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>mass %1 → %2</source>
+        <translation>Masse %1 → %2</translation>
+    </message>
+    <message>
+        <source>centre %1 %2 → %3</source>
+        <translation>Schwerpunkt %1 %2 → %3</translation>
+    </message>
+    <message>
+        <source>mass ± %1 → ± %2</source>
+        <translation>Masse ± %1 → ± %2</translation>
+    </message>
+    <message>
+        <source>Error %1, noise floor %2; torque %3.</source>
+        <translation>Fehler %1, Rauschen %2; Drehmoment %3.</translation>
     </message>
 </context>
 <context>
@@ -1344,6 +1340,10 @@
         <source>No object was found: %1, which noise alone could make.</source>
         <translation>Kein Gegenstand gefunden: %1; so viel kann das Rauschen allein ausmachen.</translation>
     </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
 </context>
 <context>
     <name>Passport</name>
@@ -1644,10 +1644,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Was ein starres Werkzeug unerklärt lässt, wie angegeben und so gelesen</translation>
     </message>
     <message>
-        <source>As stated, the tool would weigh %1 kg.</source>
-        <translation>Wie angegeben, wöge das Werkzeug %1 kg.</translation>
-    </message>
-    <message>
         <source>Two readings possible</source>
         <translation>Zwei Lesarten möglich</translation>
     </message>
@@ -1682,6 +1678,10 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The session reads this recording so; the file stays as it is. Ctrl+Z takes it back.</source>
         <translation>Die Sitzung liest diese Aufnahme so; die Datei bleibt, wie sie ist. Strg+Z nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>As stated, the tool would weigh %1.</source>
+        <translation>Wie angegeben würde das Werkzeug %1 wiegen.</translation>
     </message>
 </context>
 <context>
@@ -2353,6 +2353,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>About the centre of mass: xx, yy, zz; xy, xz, yz</source>
         <translation>Um den Schwerpunkt: xx, yy, zz; xy, xz, yz</translation>
     </message>
+    <message>
+        <source>100 %, %1 of %2 directions</source>
+        <translation>100 %, %1 von %2 Richtungen</translation>
+    </message>
 </context>
 <context>
     <name>RobotChoice</name>
@@ -3016,7 +3020,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>centre of mass along {}</source>
-        <translation>Schwerpunkt entlang {}</translation>
+        <translation>Schwerpunkt bezogen auf {}</translation>
     </message>
     <message>
         <source>rotation about {}</source>
@@ -3032,7 +3036,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>The tool was not tilted into enough directions to tell where its centre of mass lies along {}.</source>
-        <translation>Das Werkzeug wurde nicht in genug Richtungen geneigt, um zu sagen, wo sein Schwerpunkt entlang {} liegt.</translation>
+        <translation>Das Werkzeug wurde nicht in genug Richtungen geneigt, um zu sagen, wo sein Schwerpunkt liegt, bezogen auf {}.</translation>
     </message>
     <message>
         <source>Recording {} contradicts the others: {:.3f} kg against {:.3f} kg, centre of mass {:.0f} mm apart. It was left out.</source>
@@ -9657,14 +9661,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Änderungsrate der Last</translation>
     </message>
     <message>
-        <source>Torque left over [N m/√Hz]</source>
-        <translation>Moment, das übrig bleibt [N m/√Hz]</translation>
-    </message>
-    <message>
-        <source>Force left over [N/√Hz]</source>
-        <translation>Kraft, die übrig bleibt [N/√Hz]</translation>
-    </message>
-    <message>
         <source>measured</source>
         <translation>gemessen</translation>
     </message>
@@ -9695,6 +9691,14 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Grey: what the verdict takes for the sensor’s noise, slow noise included.</source>
         <translation>Grau: was das Urteil für Rauschen des Sensors hält, auch langsames.</translation>
+    </message>
+    <message>
+        <source>Torque left over [%1/√Hz]</source>
+        <translation>Übriges Drehmoment [%1/√Hz]</translation>
+    </message>
+    <message>
+        <source>Force left over [%1/√Hz]</source>
+        <translation>Übrige Kraft [%1/√Hz]</translation>
     </message>
 </context>
 <context>
@@ -11090,10 +11094,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>leave out %1</source>
         <translation>%1 weglassen</translation>
-    </message>
-    <message>
-        <source>%1 kg</source>
-        <translation>%1 kg</translation>
     </message>
     <message>
         <source>Nothing else</source>
@@ -13927,14 +13927,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>vorher %1</translation>
     </message>
     <message>
-        <source>Force left over [N]</source>
-        <translation>Übrige Kraft [N]</translation>
-    </message>
-    <message>
-        <source>Torque left over [N m]</source>
-        <translation>Übriges Drehmoment [N m]</translation>
-    </message>
-    <message>
         <source>No fault is on: this is the recording as it is.</source>
         <translation>Kein Fehler ist an: So ist die Aufnahme.</translation>
     </message>
@@ -13947,16 +13939,24 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>In dieser Bewegung sähe es niemand, und es schadet nicht.</translation>
     </message>
     <message>
-        <source>It would be seen: %1 N and %2 N m are left over, %3 N and %4 N m without it.</source>
-        <translation>Man sähe es: %1 N und %2 N m bleiben übrig, ohne den Fehler %3 N und %4 N m.</translation>
-    </message>
-    <message>
         <source>Nothing else looks like it: “%1” explains %2 % of it at most.</source>
         <translation>Nichts anderes sieht so aus: „%1“ erklärt davon höchstens %2 %.</translation>
     </message>
     <message>
         <source>It looks like “%1” %2: that explains %3 % of it. To decide: %4</source>
         <translation>Es sieht aus wie „%1“ %2: Das erklärt %3 % davon. Zum Entscheiden: %4</translation>
+    </message>
+    <message>
+        <source>Force left over [%1]</source>
+        <translation>Übrige Kraft [%1]</translation>
+    </message>
+    <message>
+        <source>Torque left over [%1]</source>
+        <translation>Übriges Drehmoment [%1]</translation>
+    </message>
+    <message>
+        <source>It would be seen: %1 N and %2 are left over, %3 N and %4 without it.</source>
+        <translation>Man sähe es: %1 N und %2 bleiben übrig, ohne den Fehler %3 N und %4.</translation>
     </message>
 </context>
 <context>
