@@ -10331,10 +10331,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Die Aufnahme der Lektion wird gemacht</translation>
     </message>
     <message>
-        <source>Yes.</source>
-        <translation>Ja.</translation>
-    </message>
-    <message>
         <source>Look once more.</source>
         <translation>Sehen Sie noch einmal hin.</translation>
     </message>
@@ -10365,6 +10361,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>There is no lesson %1.</source>
         <translation>Es gibt keine Lektion %1.</translation>
+    </message>
+    <message>
+        <source>Right.</source>
+        <translation>Richtig.</translation>
     </message>
 </context>
 <context>
