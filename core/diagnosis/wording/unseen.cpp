@@ -7,22 +7,23 @@
 
 #include "core/base/numbers.h"
 #include "core/base/say.h"
+#include "core/diagnosis/causes/ids.h"
 
 namespace heft {
 
 std::vector<std::string> couldNotBeSeen(const std::vector<Smallest>& smallest, int most) {
-  constexpr std::array kPhrases{std::pair{"payload_change", toSay("load changes under {}")},
-                                std::pair{"cable_pull", toSay("cables softer than {}")},
-                                std::pair{"time_offset", toSay("delays under {}")},
-                                std::pair{"gravity_tilt", toSay("tilts under {}")},
-                                std::pair{"bias_drift", toSay("drifts under {}")},
-                                std::pair{"loose_mass", toSay("loose parts under {}")},
-                                std::pair{"sensor_rotation", toSay("a sensor turned by less than {}")},
-                                std::pair{"low_pass_lag", toSay("smoothing under {}")},
-                                std::pair{"gain_error", toSay("wrong gains under {}")},
-                                std::pair{"joint_offset", toSay("joint angles off by less than {}")},
-                                std::pair{"constant_pull", toSay("steady pulls under {}")},
-                                std::pair{"lever_arm", toSay("a sensor misplaced by less than {}")}};
+  constexpr std::array kPhrases{std::pair{diagnosis::ids::payloadChange, toSay("load changes under {}")},
+                                std::pair{diagnosis::ids::cablePull, toSay("cables softer than {}")},
+                                std::pair{diagnosis::ids::timeOffset, toSay("delays under {}")},
+                                std::pair{diagnosis::ids::gravityTilt, toSay("tilts under {}")},
+                                std::pair{diagnosis::ids::biasDrift, toSay("drifts under {}")},
+                                std::pair{diagnosis::ids::looseMass, toSay("loose parts under {}")},
+                                std::pair{diagnosis::ids::sensorRotation, toSay("a sensor turned by less than {}")},
+                                std::pair{diagnosis::ids::lowPassLag, toSay("smoothing under {}")},
+                                std::pair{diagnosis::ids::gainError, toSay("wrong gains under {}")},
+                                std::pair{diagnosis::ids::jointOffset, toSay("joint angles off by less than {}")},
+                                std::pair{diagnosis::ids::constantPull, toSay("steady pulls under {}")},
+                                std::pair{diagnosis::ids::leverArm, toSay("a sensor misplaced by less than {}")}};
   std::vector<std::string> out;
   for (const auto& [id, phrase] : kPhrases)
     for (const Smallest& s : smallest) {
