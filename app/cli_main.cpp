@@ -72,12 +72,12 @@ int runCommandLine(int argc, char** argv) {
       "  heft export result.json --format franka-desk -o tool.json\n\n"
       "Exit codes: 0 done, 1 could not be done, 2 wrong usage. 'heft COMMAND --help' shows one command.");
 
-  const std::array commands{heft::cli::makeEstimateCommand(root), heft::cli::makeDiagnoseCommand(root),
-                            heft::cli::makeSegmentCommand(root),  heft::cli::makeLiveCommand(root),
-                            heft::cli::makeCoachCommand(root),    heft::cli::makeExciteCommand(root),
-                            heft::cli::makeRoomCommand(root),     heft::cli::makeCompensateCommand(root),
-                            heft::cli::makeProveCommand(root),    heft::cli::makePassportCommand(root),
-                            heft::cli::makeSimulateCommand(root), heft::cli::makeExportCommand(root),
+  const std::array commands{heft::cli::makeEstimateCommand(root),    heft::cli::makeDiagnoseCommand(root),
+                            heft::cli::makeSegmentCommand(root),     heft::cli::makeLiveCommand(root),
+                            heft::cli::makeCoachCommand(root),       heft::cli::makeExciteCommand(root),
+                            heft::cli::makeRoomCommand(root),        heft::cli::makeCompensateCommand(root),
+                            heft::cli::makeProveCommand(root),       heft::cli::makePassportCommand(root),
+                            heft::cli::makeSimulateCommand(root),    heft::cli::makeExportCommand(root),
                             heft::cli::makeExportModelCommand(root), heft::cli::makeConvertCommand(root),
                             heft::cli::makeReproduceCommand(root)};
   const auto names = [&] {

@@ -26,8 +26,7 @@ void estimateObject(const ObjectFiles& files, const ImportOptions& import, const
   ProgressLine line;
   const Input with = readInput(files.with, import, files.robot, line.progress());
   const CarriedObject carried = [&] {
-    if (one)
-      return orFail(estimatePickedUp({&with.recording, with.model()}, settings, with.findings, line.progress()));
+    if (one) return orFail(estimatePickedUp({&with.recording, with.model()}, settings, with.findings, line.progress()));
     const Input without = readInput(files.without, import, files.robot, line.progress());
     return orFail(estimateCarriedObject({&with.recording, with.model()}, {&without.recording, without.model()},
                                         settings, {with.findings, without.findings}, line.progress()));

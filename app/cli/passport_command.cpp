@@ -76,7 +76,8 @@ void addProof(const PassportArguments& options, const json& result, PassportCont
   const Payload now = orFail(payloadFromJson(result, options.result));
   const auto text = proofText(content.proof, &now);
   if (!text)
-    throw Failed(fmt::format("{} is no proof; make one with heft prove {} REC --json FILE.", options.proof, options.result));
+    throw Failed(
+        fmt::format("{} is no proof; make one with heft prove {} REC --json FILE.", options.proof, options.result));
   if (text->outdated)
     throw Failed(fmt::format("{} proves other numbers than those in {}; prove these: heft prove {} REC --json FILE.",
                              options.proof, options.result, options.result));

@@ -28,7 +28,7 @@ struct Making {
   std::vector<Value> values;
 };
 
-constexpr int kDeepest = 4;           // Sentences within sentences
+constexpr int kDeepest = 4;             // Sentences within sentences
 constexpr std::size_t kLongest = 4000;  // [bytes] Of a text that is taken apart
 
 std::mutex memoryMutex;
@@ -48,11 +48,16 @@ struct Copied {
   Value operator()(fmt::string_view v) const { return std::string(v.data(), v.size()); }
   template <class T>
   Value operator()(const T& v) const {
-    if constexpr (std::is_same_v<T, char>) return std::string(1, v);
-    else if constexpr (std::is_floating_point_v<T>) return static_cast<double>(v);
-    else if constexpr (std::is_integral_v<T> && sizeof(T) <= 8 && std::is_signed_v<T>) return std::int64_t{v};
-    else if constexpr (std::is_integral_v<T> && sizeof(T) <= 8) return std::uint64_t{v};
-    else return std::monostate{};
+    if constexpr (std::is_same_v<T, char>)
+      return std::string(1, v);
+    else if constexpr (std::is_floating_point_v<T>)
+      return static_cast<double>(v);
+    else if constexpr (std::is_integral_v<T> && sizeof(T) <= 8 && std::is_signed_v<T>)
+      return std::int64_t{v};
+    else if constexpr (std::is_integral_v<T> && sizeof(T) <= 8)
+      return std::uint64_t{v};
+    else
+      return std::monostate{};
   }
 };
 
@@ -64,8 +69,10 @@ std::string saidOf(const Making& making, int depth) {
     std::visit(
         [&](const auto& v) {
           using T = std::decay_t<decltype(v)>;
-          if constexpr (std::is_same_v<T, std::string>) values.push_back(again(v, depth + 1));
-          else if constexpr (!std::is_same_v<T, std::monostate>) values.push_back(v);
+          if constexpr (std::is_same_v<T, std::string>)
+            values.push_back(again(v, depth + 1));
+          else if constexpr (!std::is_same_v<T, std::monostate>)
+            values.push_back(v);
         },
         value);
   return detail::said(making.pattern, values);
@@ -77,8 +84,8 @@ bool worthSaying(const std::string& part) {
   return spaces >= 2 || std::any_of(part.begin(), part.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// The longest part from `from` on that is remembered and ends before a space, a comma or the end, and how many bytes it
-/// takes.
+/// The longest part from `from` on that is remembered and ends before a space, a comma or the end, and how many bytes
+/// it takes.
 std::optional<std::pair<Making, std::size_t>> longestPart(const std::string& text, std::size_t from) {
   for (std::size_t end = text.size(); end > from;) {
     for (const std::size_t to : {end, text[end - 1] == ',' ? end - 1 : end}) {
@@ -177,8 +184,10 @@ json jsonOf(const Making& making, int depth) {
     std::visit(
         [&](const auto& v) {
           using T = std::decay_t<decltype(v)>;
-          if constexpr (std::is_same_v<T, std::string>) values.push_back(jsonOf(v, depth + 1));
-          else if constexpr (!std::is_same_v<T, std::monostate>) values.push_back(v);
+          if constexpr (std::is_same_v<T, std::string>)
+            values.push_back(jsonOf(v, depth + 1));
+          else if constexpr (!std::is_same_v<T, std::monostate>)
+            values.push_back(v);
         },
         value);
   return {{"template", making.pattern}, {"values", std::move(values)}};
@@ -192,8 +201,10 @@ json jsonOf(const std::string& text, int depth) {
   for (const Part& part : partsOf(text)) {
     const auto* making = std::get_if<Making>(&part);
     made = made || making != nullptr;
-    if (making != nullptr) parts.push_back(jsonOf(*making, depth));
-    else if (const auto& literal = std::get<std::string>(part); !literal.empty()) parts.push_back(literal);
+    if (making != nullptr)
+      parts.push_back(jsonOf(*making, depth));
+    else if (const auto& literal = std::get<std::string>(part); !literal.empty())
+      parts.push_back(literal);
   }
   return !made ? json(text) : parts.size() == 1 ? parts[0] : parts;
 }
@@ -210,11 +221,16 @@ std::string textFrom(const json& making, int depth) {
   Making made{making.at("template").get<std::string>(), {}};
   if (!harmless(made.pattern)) throw fmt::format_error("too wide");
   for (const json& value : making.at("values")) {
-    if (value.is_boolean()) made.values.emplace_back(value.get<bool>());
-    else if (value.is_number_unsigned()) made.values.emplace_back(value.get<std::uint64_t>());
-    else if (value.is_number_integer()) made.values.emplace_back(value.get<std::int64_t>());
-    else if (value.is_number()) made.values.emplace_back(value.get<double>());
-    else made.values.emplace_back(textFrom(value, depth + 1));
+    if (value.is_boolean())
+      made.values.emplace_back(value.get<bool>());
+    else if (value.is_number_unsigned())
+      made.values.emplace_back(value.get<std::uint64_t>());
+    else if (value.is_number_integer())
+      made.values.emplace_back(value.get<std::int64_t>());
+    else if (value.is_number())
+      made.values.emplace_back(value.get<double>());
+    else
+      made.values.emplace_back(textFrom(value, depth + 1));
   }
   return saidOf(made, kDeepest - 1);
 }

@@ -51,7 +51,9 @@ std::vector<PassportNumber> passportNumbers(const json& passport) {
                                       Place{"inertia_xz_kgm2", 0, 2}, Place{"inertia_yz_kgm2", 1, 2}};
   const auto number = [](const json& value) { return value.is_number() ? value.get<double>() : NAN; };
   const auto source = [](const json& word) {
-    return word == toString(Source::data) ? Source::data : word == toString(Source::prior) ? Source::prior : Source::none;
+    return word == toString(Source::data)    ? Source::data
+           : word == toString(Source::prior) ? Source::prior
+                                             : Source::none;
   };
   const json &payload = passport.at("payload"), &interval = passport.at("interval95"),
              &known = passport.at("identifiability");

@@ -33,7 +33,7 @@ Result<nlohmann::json> passportOf(const PassportContent& content, const nlohmann
 
 /// One of a passport's ten numbers.
 struct PassportNumber {
-  std::string quantity;             ///< "mass_kg", "com_x_m", "inertia_xx_kgm2" ...
+  std::string quantity;                    ///< "mass_kg", "com_x_m", "inertia_xx_kgm2" ...
   double value = 0, lower = 0, upper = 0;  ///< With the 95 % interval, SI; NaN where it has no end
   Source source = Source::none;
 };

@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kWithin = 1.96;        // Standard deviations of a 95 % interval
+constexpr double kWithin = 1.96;         // Standard deviations of a 95 % interval
 constexpr double kHopelessWidth = 20.0;  // Of the largest moment: an interval so wide says "not known" and no more
 
 std::string textIn(const json& object, const char* key) {
@@ -77,14 +77,13 @@ std::string numbersPart(const json& passport, const PageUnits& units) {
   for (const auto& n : numbers)
     if (n.quantity.starts_with("inertia_")) largest = std::max(largest, std::abs(n.value));
   const PageUnits::Unit inertia = inertiaUnit(largest);
-  std::string rows =
-      row({heft::say("Number"), heft::say("Value"), heft::say("95 %"), heft::say("Known from")}, true);
+  std::string rows = row({heft::say("Number"), heft::say("Value"), heft::say("95 %"), heft::say("Known from")}, true);
   for (const auto& n : numbers) {
     const Shown shown = shownAs(n.quantity, units, inertia);
     const double half = 0.5 * (n.upper - n.lower) * shown.unit.scale;
     const int decimals = decimalsFor(half, shown.decimals);
-    const bool hopeless =
-        n.source == Source::none && n.quantity.starts_with("inertia_") && !(n.upper - n.lower < kHopelessWidth * largest);
+    const bool hopeless = n.source == Source::none && n.quantity.starts_with("inertia_") &&
+                          !(n.upper - n.lower < kHopelessWidth * largest);
     const double least = 0.5 * std::pow(10.0, -decimals);  // What writing it rounds away
     rows += row({shown.name, hopeless ? "—" : sayNumber(n.value * shown.unit.scale, decimals) + " " + shown.unit.name,
                  hopeless ? "" : "± " + sayNumber(std::max(half, least), decimals) + " " + shown.unit.name,
@@ -176,7 +175,8 @@ std::string passportPage(const json& passport, const PageUnits& units, const std
       language, escapedMarkup(passportTitle(passport)));
   out += paragraph(origin(passport));
   if (textIn(passport, "trust") == "low") out += strong(lowTrust());
-  out += numbersPart(passport, units) + provedPart(passport, units) + causesPart(passport) + changePart(passport, units);
+  out +=
+      numbersPart(passport, units) + provedPart(passport, units) + causesPart(passport) + changePart(passport, units);
   return out + "</body></html>\n";
 }
 
@@ -186,13 +186,15 @@ std::string passportText(const json& passport) {
   const auto mass = passportNumbers(passport).front();
   const double half = 0.5 * (mass.upper - mass.lower);
   const int decimals = decimalsFor(half, 4);
-  out += fmt::format("  {}: {} ± {} kg\n", heft::say("Mass"), sayNumber(mass.value, decimals), sayNumber(half, decimals));
+  out +=
+      fmt::format("  {}: {} ± {} kg\n", heft::say("Mass"), sayNumber(mass.value, decimals), sayNumber(half, decimals));
   const auto proof = proofText(passport.value("proof", json()), nullptr);
   out += "  " + (proof ? proof->headline : heft::say("These numbers were not proved on another recording.")) + "\n";
   if (!passport.value("looked_for_causes", false)) out += "  " + heft::say("The reality check was not run.") + "\n";
   for (const json& cause : passport.value("causes", json::array())) out += "  " + causeSentenceOf(cause) + "\n";
   if (const json since = passport.value("since", json()); since.is_object())
-    out += fmt::format("  {}: {}\n", heft::say("Since the passport of {}", textIn(since, "date")), verdictOfChange(since));
+    out +=
+        fmt::format("  {}: {}\n", heft::say("Since the passport of {}", textIn(since, "date")), verdictOfChange(since));
   return out;
 }
 

@@ -91,8 +91,7 @@ void MountedList::showParts(const std::vector<MountedPart>& parts, bool nothingE
   connect(more, &QPushButton::clicked, this, &MountedList::addPart);
   line(more, {}, "rowName");
   if (together >= 0) {
-    line(styledLabel(tr("Together on the flange"), "sectionTitle", this), massText(together, 3),
-         "midNumber");
+    line(styledLabel(tr("Together on the flange"), "sectionTitle", this), massText(together, 3), "midNumber");
   }
 }
 

@@ -248,9 +248,9 @@ void MarkPanel::addDecided(QVBoxLayout* column, const std::vector<Segment>& segm
     when->setAccessibleName(MarksBar::describe(segment));
     connect(when, &QPushButton::clicked, this, [this, segment] { select(segment.from, segment.to); });
     rows->addWidget(when, line, 1, Qt::AlignRight);
-    rows->addWidget(
-        styledLabel(suggested[i] ? tr("%1?").arg(markWord(segment.label)) : markWord(segment.label), "rowName", content),
-        line, 2);
+    rows->addWidget(styledLabel(suggested[i] ? tr("%1?").arg(markWord(segment.label)) : markWord(segment.label),
+                                "rowName", content),
+                    line, 2);
     if (details_ && !segment.reason.empty())
       rows->addWidget(wrappedLabel(QString::fromStdString(segment.reason), "caption", content), line + 1, 1, 1, 2);
   }

@@ -54,7 +54,7 @@ class MarkPanel : public StepPanel {
   QColor drawnIn_;  ///< The theme's text colour when that was last asked.
   Segments* brushes_ = nullptr;
   bool details_ = false;  ///< Why each stretch is what it is
-  int trimKey_ = 0;  ///< Steps of one change are one edit.
+  int trimKey_ = 0;       ///< Steps of one change are one edit.
 };
 
 }  // namespace heft

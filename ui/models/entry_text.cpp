@@ -95,8 +95,7 @@ EntryText describeEntry(const EntryCost& cost, const ControllerLimits& limits) {
   if (!cost.inertiaTold) missing << EntryWords::tr("No inertia is set, so the estimated one is used.");
   if (!cost.centreTold && !cost.inertiaTold)
     missing = QStringList{EntryWords::tr("No centre of mass and no inertia are set, so the estimated ones are used.")};
-  for (const Finding& finding : cost.findings)
-    missing << saidNow(finding.text + " " + finding.remedy).trimmed();
+  for (const Finding& finding : cost.findings) missing << saidNow(finding.text + " " + finding.remedy).trimmed();
   out.note = missing.join(' ');
   if (!cost.differs) {
     out.headline = EntryWords::tr("The entry is right, as far as this recording can tell.");

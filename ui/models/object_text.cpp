@@ -41,12 +41,12 @@ ObjectText describeObject(const CarriedObject& carried) {
     return out;
   }
   out.sure = !numbers.doubtful && carried.object.trust == Trust::good;
-  out.headline = out.sure ? ObjectWords::tr("It weighs %1.").arg(mass) : ObjectWords::tr("It seems to weigh %1.").arg(mass);
+  out.headline =
+      out.sure ? ObjectWords::tr("It weighs %1.").arg(mass) : ObjectWords::tr("It seems to weigh %1.").arg(mass);
   out.rows.push_back({ObjectWords::tr("Mass"), withSource(numbers.mass, massUnit().name), numbers.mass.tip});
   for (const NumberText& n : numbers.com)
     out.rows.push_back({ObjectWords::tr("Centre %1").arg(n.name), withSource(n, lengthUnit().name), n.tip});
-  for (const NumberText& n : numbers.inertia)
-    out.rows.push_back({n.name, withSource(n, numbers.inertiaUnit), n.tip});
+  for (const NumberText& n : numbers.inertia) out.rows.push_back({n.name, withSource(n, numbers.inertiaUnit), n.tip});
   return out;
 }
 

@@ -7,7 +7,9 @@
 namespace heft {
 
 PageUnits pageUnits() {
-  const auto of = [](const ShownUnit& unit) { return PageUnits::Unit{unit.name.toStdString(), unit.scale, unit.decimals}; };
+  const auto of = [](const ShownUnit& unit) {
+    return PageUnits::Unit{unit.name.toStdString(), unit.scale, unit.decimals};
+  };
   return {of(massUnit()), of(lengthUnit()), of(torqueUnit())};
 }
 

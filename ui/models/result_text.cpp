@@ -185,11 +185,11 @@ void addDirections(const EstimateReport& r, std::vector<DetailText>& rows) {
   constexpr double kWhole = 0.995;  // Rounds to 100 %
   int whole = 0;
   for (const auto& direction : r.identifiability.directions) whole += direction.dataShare >= kWhole ? 1 : 0;
-  if (whole > 0) lines << ResultWords::tr("100 %, %1 of %2 directions").arg(whole).arg(r.identifiability.directions.size());
+  if (whole > 0)
+    lines << ResultWords::tr("100 %, %1 of %2 directions").arg(whole).arg(r.identifiability.directions.size());
   for (const auto& direction : r.identifiability.directions)
     if (direction.dataShare < kWhole)
-      lines << ResultWords::tr("%1 %, %2")
-                   .arg(numberText(100 * direction.dataShare, 0), saidNow(direction.about));
+      lines << ResultWords::tr("%1 %, %2").arg(numberText(100 * direction.dataShare, 0), saidNow(direction.about));
   rows.push_back({ResultWords::tr("Told by the motion"), lines.join('\n'),
                   ResultWords::tr("Ten independent directions among the parameters, and the share of the data in each; "
                                   "the rest comes from what was assumed")});

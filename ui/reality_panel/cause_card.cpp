@@ -32,9 +32,7 @@ struct UnseenError {
   double before = 0.0, after = 0.0, noise = 0.0;
   bool torque = false;
 
-  QString text(double value) const {
-    return torque ? torqueText(value, value < 0.01 ? 4 : 3) : newtonText(value);
-  }
+  QString text(double value) const { return torque ? torqueText(value, value < 0.01 ? 4 : 3) : newtonText(value); }
 };
 
 UnseenError unseenError(const DiagnosisReport& report, const DiagnosedCause& cause) {
@@ -175,8 +173,8 @@ void addDetails(QVBoxLayout* column, const DiagnosisReport& report, const Diagno
               .arg(numberText(100 * cause.gain.explainedFraction, 0), numberText(100 * cause.gain.lower, 0),
                    numberText(100 * cause.gain.upper, 0)),
           Say::tr("Share of the squared error that goes away on unseen stretches"));
-      add(Say::tr("Torque"), QStringLiteral("%1 → %2")
-                                 .arg(torqueText(cause.gain.torqueBefore, 4), torqueText(cause.gain.torqueAfter, 4)));
+      add(Say::tr("Torque"),
+          QStringLiteral("%1 → %2").arg(torqueText(cause.gain.torqueBefore, 4), torqueText(cause.gain.torqueAfter, 4)));
     }
   }
   add(Say::tr("Name in files"), QString::fromStdString(cause.id));
@@ -350,12 +348,12 @@ Chart errorChart(const DiagnosisReport& report, const DiagnosedCause& cause) {
   chart.yTitle = Say::tr("Error in %1 [%2]").arg(channelText(static_cast<int>(stretch.channel)), unit.name);
   chart.xUnit = QStringLiteral("s");
   chart.band = 2.0 * unit.scale * (torque ? report.noise.torque : report.noise.force);
-  chart.curves.push_back({Say::tr("before"), ChartCurve::Colour::before,
-                          pointsOf(report, unit.scale * cause.before.row(stretch.channel).transpose(), stretch.from, stretch.to),
-                          true});
-  chart.curves.push_back({Say::tr("after"), ChartCurve::Colour::after,
-                          pointsOf(report, unit.scale * cause.after.row(stretch.channel).transpose(), stretch.from, stretch.to),
-                          false});
+  chart.curves.push_back(
+      {Say::tr("before"), ChartCurve::Colour::before,
+       pointsOf(report, unit.scale * cause.before.row(stretch.channel).transpose(), stretch.from, stretch.to), true});
+  chart.curves.push_back(
+      {Say::tr("after"), ChartCurve::Colour::after,
+       pointsOf(report, unit.scale * cause.after.row(stretch.channel).transpose(), stretch.from, stretch.to), false});
   return chart;
 }
 
@@ -364,8 +362,7 @@ Chart overlayChart(const DiagnosisReport& report, const DiagnosedCause& cause) {
   const VectorXd measured = report.series.measured.row(stretch.channel).transpose();
   const ShownUnit unit = wrenchUnit(stretch.channel >= 3);
   Chart chart;
-  chart.yTitle =
-      QStringLiteral("%1 [%2]").arg(channelText(static_cast<int>(stretch.channel)), unit.name);
+  chart.yTitle = QStringLiteral("%1 [%2]").arg(channelText(static_cast<int>(stretch.channel)), unit.name);
   chart.xTitle = Say::tr("Time [s]");
   const auto add = [&](const QString& name, ChartCurve::Colour colour, const VectorXd& y, bool dashed) {
     chart.curves.push_back({name, colour, pointsOf(report, unit.scale * y, stretch.from, stretch.to), dashed});

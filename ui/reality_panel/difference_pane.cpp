@@ -319,8 +319,7 @@ Chart DifferencePane::motionChart(bool after) const {
   const int c = channel_->currentIndex();
   const auto& s = report_->series;
   const ShownUnit unit = wrenchUnit(c >= 3);
-  chart.yTitle =
-      (after ? tr("With the causes: %1 [%2]") : tr("Without: %1 [%2]")).arg(channelText(c), unit.name);
+  chart.yTitle = (after ? tr("With the causes: %1 [%2]") : tr("Without: %1 [%2]")).arg(channelText(c), unit.name);
   chart.band = 2.0 * unit.scale * (c < 3 ? report_->noise.force : report_->noise.torque);
   chart.nothing = tr("Nothing to compare with.");
   const QString id = witness_->currentData().toString();
@@ -349,7 +348,8 @@ Chart DifferencePane::motionChart(bool after) const {
   double nearest = 0.05;  // [s] The blocks' own distance, and a little more
   for (Eigen::Index n = 0; n < std::min({s.time.size(), value.size(), left.cols()}); n += 2) {
     const bool judged = s.judged[static_cast<std::size_t>(n)];
-    points.push_back(judged ? QPointF(value(n) + aside(n), unit.scale * left(c, n)) : QPointF(std::nan(""), std::nan("")));
+    points.push_back(judged ? QPointF(value(n) + aside(n), unit.scale * left(c, n))
+                            : QPointF(std::nan(""), std::nan("")));
     if (!judged) continue;
     // One scale for both pictures.
     chart.yLow = std::min(chart.yLow, without(c, n));

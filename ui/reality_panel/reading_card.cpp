@@ -51,8 +51,7 @@ Eigen::Index tellingChannel(const ReadingCurves& curves) {
 Chart chartOf(const ReadingCurves& curves, Eigen::Index channel, bool poses) {
   Chart chart;
   chart.yTitle =
-      ReadingWords::tr("Error in %1 [%2]")
-          .arg(channelText(static_cast<int>(channel)), wrenchUnit(channel >= 3).name);
+      ReadingWords::tr("Error in %1 [%2]").arg(channelText(static_cast<int>(channel)), wrenchUnit(channel >= 3).name);
   if (poses) {
     chart.xTitle = ReadingWords::tr("Pose");
   } else {
@@ -61,7 +60,8 @@ Chart chartOf(const ReadingCurves& curves, Eigen::Index channel, bool poses) {
   const auto add = [&](const QString& name, const conventions::LeftOver& left, ChartCurve::Colour colour, bool dashed) {
     QVector<QPointF> points;
     for (std::size_t k = 0; k < left.time.size(); ++k)
-      points.push_back({left.time[k], wrenchUnit(channel >= 3).scale * left.left(channel, static_cast<Eigen::Index>(k))});
+      points.push_back(
+          {left.time[k], wrenchUnit(channel >= 3).scale * left.left(channel, static_cast<Eigen::Index>(k))});
     chart.curves.push_back({name, colour, points, dashed});
   };
   add(ReadingWords::tr("as stated"), curves.stated, ChartCurve::Colour::before, true);
@@ -81,9 +81,8 @@ void addCurves(QVBoxLayout* column, const ReadingCurves& curves, bool poses, QWi
     chart->setAccessibleName(ReadingWords::tr("What a rigid tool leaves unexplained, as stated and read so"));
     column->addWidget(chart);
   } else if (curves.stated.mass < 0.0) {
-    column->addWidget(
-        wrappedLabel(ReadingWords::tr("As stated, the tool would weigh %1.").arg(massText(curves.stated.mass, 2)),
-                     "body", parent));
+    column->addWidget(wrappedLabel(
+        ReadingWords::tr("As stated, the tool would weigh %1.").arg(massText(curves.stated.mass, 2)), "body", parent));
   }
 }
 

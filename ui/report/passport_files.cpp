@@ -88,7 +88,8 @@ Result<bool> writePassport(const PassportParts& parts, const QString& file, cons
     if (!change) return change.error();
     (*passport)["since"] = toJson(*change);
   }
-  const QString html = QString::fromStdString(passportPage(*passport, pageUnits(), QLocale().name().left(2).toStdString()));
+  const QString html =
+      QString::fromStdString(passportPage(*passport, pageUnits(), QLocale().name().left(2).toStdString()));
   const QString title = QString::fromStdString(passportTitle(*passport));
   if (auto written = writeTextFile(jsonFile.toStdString(), passport->dump(2) + "\n"); !written) return written;
   return writeTextFile(pdf.toStdString(), paper::pdf(html, title).toStdString());

@@ -69,10 +69,12 @@ void ObjectCard::addAnswer(QVBoxLayout* card, QWidget* content) {
   addDetailRows(card, text.rows, content);
   for (const FindingText& finding : text.findings)
     card->addWidget(wrappedLabel(finding.text + ' ' + finding.remedy, "caption", content));
-  QString source = objects_->without().isEmpty()
-                       ? tr("From the parts of this recording with and without it, in the sensor’s axes.")
-                       : tr("This recording less %1, in the sensor’s axes.").arg(QFileInfo(objects_->without()).fileName());
-  if (!parts_.workspace->corrections().causes.empty()) source += ' ' + tr("Causes that were applied are not taken out.");
+  QString source =
+      objects_->without().isEmpty()
+          ? tr("From the parts of this recording with and without it, in the sensor’s axes.")
+          : tr("This recording less %1, in the sensor’s axes.").arg(QFileInfo(objects_->without()).fileName());
+  if (!parts_.workspace->corrections().causes.empty())
+    source += ' ' + tr("Causes that were applied are not taken out.");
   card->addWidget(wrappedLabel(source, "caption", content));
 }
 

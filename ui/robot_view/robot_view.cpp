@@ -56,8 +56,8 @@ bool showsSensor(const RobotModel& robot, const RobotLook& look) {
   });
 }
 
-/// The path of a longer recording [s] is a ball that shows nothing: it is drawn from so long before the instant shown to
-/// so long after it [s], anew with each step [s].
+/// The path of a longer recording [s] is a ball that shows nothing: it is drawn from so long before the instant shown
+/// to so long after it [s], anew with each step [s].
 constexpr double kWholePath = 60.0, kPathReach = 15.0, kPathStep = 2.0;
 
 /// Thickness of the sensor's body [m]: what the mount leaves between its parent and S, kept in a plausible range.

@@ -27,7 +27,8 @@ std::vector<std::string> couldNotBeSeen(const std::vector<Smallest>& smallest, i
   std::vector<std::string> out;
   for (const auto& [id, phrase] : kPhrases)
     for (const Smallest& s : smallest) {
-      if (s.cause != id || static_cast<int>(out.size()) >= most || !std::isfinite(s.value) || !(s.value > 0.0)) continue;
+      if (s.cause != id || static_cast<int>(out.size()) >= most || !std::isfinite(s.value) || !(s.value > 0.0))
+        continue;
       const int decimals = std::clamp(static_cast<int>(std::ceil(1.0 - std::log10(s.value) - 1e-9)), 0, 5);
       const std::string size = sayNumber(s.value, decimals) + (s.unit == "deg" ? "°" : " " + s.unit);
       out.push_back(heft::say(fmt::runtime(phrase), size));

@@ -75,7 +75,8 @@ TEST_F(Said, WhatWasSaidIsSaidAgainInAnotherLanguage) {
 TEST_F(Said, OnlyTheLastSentencesAreRemembered) {
   rememberSentences(3);
   std::vector<std::string> texts;
-  for (const double seconds : {1.0, 2.0, 3.0, 4.0}) texts.push_back(heft::say("{:.1f} s of {} look touched.", seconds, "it"));
+  for (const double seconds : {1.0, 2.0, 3.0, 4.0})
+    texts.push_back(heft::say("{:.1f} s of {} look touched.", seconds, "it"));
   EXPECT_TRUE(makingOf(texts[0]).is_null());
   for (int i = 1; i < 4; ++i) EXPECT_FALSE(makingOf(texts[static_cast<std::size_t>(i)]).is_null());
   rememberSentences(0);

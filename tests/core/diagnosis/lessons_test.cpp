@@ -127,7 +127,8 @@ TEST(Lessons, NoTurnOfTheLastJointTellsItsZeroFromARotatedSensor) {
   options.duration = 12.0;
   options.rateHz = 200.0;
   options.seed = 9;
-  Recording recording = simulate(panda, test::boxPayload(0.75, {0.05, 0.06, 0.09}, {0.0, 0.0, 0.06}), options)->recording;
+  Recording recording =
+      simulate(panda, test::boxPayload(0.75, {0.05, 0.06, 0.09}, {0.0, 0.0, 0.06}), options)->recording;
   const double end = recording.time(recording.rows() - 1), offset = 3.0 * std::numbers::pi / 180.0;
   recording.dq.resize(0, 0);
   for (Eigen::Index k = 0; k < recording.rows(); ++k)
