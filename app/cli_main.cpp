@@ -72,13 +72,14 @@ int runCommandLine(int argc, char** argv) {
       "  heft export result.json --format franka-desk -o tool.json\n\n"
       "Exit codes: 0 success, 1 failure, 2 usage error. 'heft COMMAND --help' shows one command.");
 
-  const std::array commands{heft::cli::makeEstimateCommand(root), heft::cli::makeDiagnoseCommand(root),
-                            heft::cli::makeSegmentCommand(root),  heft::cli::makeLiveCommand(root),
-                            heft::cli::makeCoachCommand(root),    heft::cli::makeExciteCommand(root),
-                            heft::cli::makeRoomCommand(root),     heft::cli::makeCompensateCommand(root),
-                            heft::cli::makeProveCommand(root),    heft::cli::makeSimulateCommand(root),
-                            heft::cli::makeExportCommand(root),   heft::cli::makeExportModelCommand(root),
-                            heft::cli::makeConvertCommand(root),  heft::cli::makeReproduceCommand(root)};
+  const std::array commands{heft::cli::makeEstimateCommand(root),    heft::cli::makeDiagnoseCommand(root),
+                            heft::cli::makeSegmentCommand(root),     heft::cli::makeLiveCommand(root),
+                            heft::cli::makeCoachCommand(root),       heft::cli::makeExciteCommand(root),
+                            heft::cli::makeRoomCommand(root),        heft::cli::makeCompensateCommand(root),
+                            heft::cli::makeProveCommand(root),       heft::cli::makePassportCommand(root),
+                            heft::cli::makeSimulateCommand(root),    heft::cli::makeExportCommand(root),
+                            heft::cli::makeExportModelCommand(root), heft::cli::makeConvertCommand(root),
+                            heft::cli::makeReproduceCommand(root)};
   const auto names = [&] {
     std::vector<std::string> list;
     for (const Command& command : commands) list.push_back(command.app->get_name());

@@ -54,6 +54,7 @@ Command makeLiveCommand(CLI::App& root);
 Command makeSegmentCommand(CLI::App& root);
 Command makeCompensateCommand(CLI::App& root);
 Command makeProveCommand(CLI::App& root);
+Command makePassportCommand(CLI::App& root);
 Command makeCoachCommand(CLI::App& root);
 Command makeExciteCommand(CLI::App& root);
 Command makeRoomCommand(CLI::App& root);

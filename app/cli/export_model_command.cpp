@@ -32,7 +32,9 @@ void exportFound(ExportModelArguments options) {
   std::string text = fmt::format("{}: the rig of {} for {}\n", options.output, options.found, options.target);
   for (const auto& cause : model.causes)
     text += fmt::format("  {:<18} {}\n", cause.id,
-                        cause.simulated ? "in the model's geometry" : "as numbers; the simulation runs without it");
+                        cause.simulated               ? "in the model's geometry"
+                        : target == ModelTarget::data ? "as numbers"
+                                                      : "as numbers; the simulation runs without it");
   if (model.causes.empty()) text += "  no cause was found: payload and sensor alone\n";
   print(text);
 }

@@ -6,6 +6,8 @@
 #include <mutex>
 #include <type_traits>
 
+#include "core/base/sentence_memory.h"
+
 namespace heft {
 namespace {
 
@@ -78,7 +80,9 @@ void setTranslator(Translator translator, char decimalPoint) {
   chosen = std::move(next);
 }
 
-std::string detail::said(fmt::string_view pattern, fmt::format_args arguments) {
+namespace {
+
+std::string inLanguageOfNow(fmt::string_view pattern, const fmt::format_args& arguments) {
   if (const auto now = language()) {
     const std::string translated = now->translate(std::string(pattern.data(), pattern.size()).c_str());
     try {
@@ -89,6 +93,14 @@ std::string detail::said(fmt::string_view pattern, fmt::format_args arguments) {
     }
   }
   return fmt::vformat(pattern, arguments);
+}
+
+}  // namespace
+
+std::string detail::said(fmt::string_view pattern, fmt::format_args arguments) {
+  std::string out = inLanguageOfNow(pattern, arguments);
+  remember(out, pattern, arguments);
+  return out;
 }
 
 std::string joined(const std::vector<std::string>& parts) { return fmt::format("{}", fmt::join(parts, ", ")); }

@@ -41,11 +41,45 @@ Result<Numbers> numbersOf(const json& passport, const std::string& where) {
 
 }  // namespace
 
-Result<json> passportOf(const PassportContent& content, const EstimateReport& report) {
+std::vector<PassportNumber> passportNumbers(const json& passport) {
+  struct Place {
+    const char* quantity;
+    int row, column;  ///< Of the inertia; the component of the centre, or -1
+  };
+  static constexpr std::array kPlaces{Place{"inertia_xx_kgm2", 0, 0}, Place{"inertia_yy_kgm2", 1, 1},
+                                      Place{"inertia_zz_kgm2", 2, 2}, Place{"inertia_xy_kgm2", 0, 1},
+                                      Place{"inertia_xz_kgm2", 0, 2}, Place{"inertia_yz_kgm2", 1, 2}};
+  const auto number = [](const json& value) { return value.is_number() ? value.get<double>() : NAN; };
+  const auto source = [](const json& word) {
+    return word == toString(Source::data)    ? Source::data
+           : word == toString(Source::prior) ? Source::prior
+                                             : Source::none;
+  };
+  const json &payload = passport.at("payload"), &interval = passport.at("interval95"),
+             &known = passport.at("identifiability");
+  std::vector<PassportNumber> out;
+  const auto add = [&](const char* quantity, const json& value, const json& range, const json& from) {
+    out.push_back({quantity, number(value), number(range.at(0)), number(range.at(1)), source(from)});
+  };
+  add("mass_kg", payload.at("mass_kg"), interval.at("mass_kg"), known.at("mass"));
+  for (std::size_t i = 0; i < 3; ++i)
+    add(kQuantities[1 + i], payload.at("com_m").at(i), interval.at("com_m").at(i), known.at("com").at(i));
+  for (const Place& p : kPlaces) {
+    const auto r = static_cast<std::size_t>(p.row), c = static_cast<std::size_t>(p.column);
+    add(p.quantity, payload.at("inertia_com_kgm2").at(r).at(c), interval.at("inertia_com_kgm2").at(r).at(c),
+        known.at("inertia").at(r).at(c));
+  }
+  return out;
+}
+
+Result<json> passportOf(const PassportContent& content, const json& estimate, const std::string& where) {
   if (content.tool.empty()) return Error{heft::say("A passport needs the tool's name.")};
-  if (report.trust == Trust::none)
+  const auto incomplete = [&] {
+    return Error{heft::say("{} is no result of an estimate; make one with heft estimate REC --json FILE.", where)};
+  };
+  if (!estimate.is_object() || textOf(estimate, "schema") != "heft.estimate/1") return incomplete();
+  if (textOf(estimate, "trust") == toString(Trust::none))
     return Error{heft::say("Nothing in this result can be trusted, so no passport is made of it.")};
-  const json whole = toJson(report);
   json causes = json::array();
   for (const PassportCause& cause : content.causes)
     causes.push_back({{"cause", cause.id}, {"sentence", cause.sentence}, {"applied", cause.applied}});
@@ -60,7 +94,13 @@ Result<json> passportOf(const PassportContent& content, const EstimateReport& re
            {"since", nullptr}};
   for (const char* key : {"recording", "method", "trust", "payload", "std", "interval95", "identifiability", "bias",
                           "sensor_mount", "findings"})
-    if (const auto found = whole.find(key); found != whole.end()) out[key] = *found;
+    if (const auto found = estimate.find(key); found != estimate.end()) out[key] = *found;
+  if (const auto numbers = numbersOf(out, where); !numbers) return numbers.error();
+  try {
+    passportNumbers(out);
+  } catch (const json::exception&) {
+    return incomplete();
+  }
   return out;
 }
 

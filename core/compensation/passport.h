@@ -26,9 +26,19 @@ struct PassportContent {
   nlohmann::json proof;              ///< heft.prove/1 of these numbers, or null
 };
 
-/// heft.passport/1 of the estimate: numbers in sensor axes. Fails for a report without trust and for a tool without a
-/// name.
-Result<nlohmann::json> passportOf(const PassportContent& content, const EstimateReport& report);
+/// heft.passport/1 of `estimate`, a heft.estimate/1 that is called `where` in messages: numbers in sensor axes. Fails
+/// for other or incomplete files, for an estimate without trust and for a tool without a name.
+Result<nlohmann::json> passportOf(const PassportContent& content, const nlohmann::json& estimate,
+                                  const std::string& where);
+
+/// One of a passport's ten numbers.
+struct PassportNumber {
+  std::string quantity;                    ///< "mass_kg", "com_x_m", "inertia_xx_kgm2" ...
+  double value = 0, lower = 0, upper = 0;  ///< With the 95 % interval, SI; NaN where it has no end
+  Source source = Source::none;
+};
+/// Of a passport of passportOf(): mass, centre, moments, products.
+std::vector<PassportNumber> passportNumbers(const nlohmann::json& passport);
 
 struct PassportChange {
   std::string date, file;  ///< Of the passport before

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/said_again.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/compensation/proof.h"
@@ -19,7 +20,12 @@ double meanOf(const Vector6d& channels, int first) { return std::sqrt(channels.s
 nlohmann::json toJson(const Proof& proof) {
   const nlohmann::json own = toJson(proof.own);
   auto reasons = nlohmann::json::array();
-  for (const auto& f : proof.reasons) reasons.push_back({{"code", f.code}, {"text", f.text}, {"remedy", f.remedy}});
+  for (const auto& f : proof.reasons) {
+    reasons.push_back({{"code", f.code}, {"text", f.text}, {"remedy", f.remedy}});
+    // A session may be opened in another language.
+    const nlohmann::json text = makingOf(f.text), remedy = makingOf(f.remedy);
+    if (!text.is_null() || !remedy.is_null()) reasons.back()["said"] = {{"text", text}, {"remedy", remedy}};
+  }
   const auto off = toJson(payloadFromComponents(proof.off)), std = toJson(payloadFromComponents(proof.offStd));
   return {{"schema", "heft.prove/1"},
           {"verdict", toString(proof.verdict)},

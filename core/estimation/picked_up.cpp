@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/numbers.h"
 #include "core/base/say.h"
 #include "core/estimation/segment_recording.h"
 
@@ -43,6 +44,25 @@ Result<PickedUp> partsWithAndWithout(const Recording& recording, const RobotMode
   }
   leaveOut(held ? out.without : out.with, from, end);
   return out;
+}
+
+Result<CarriedObject> estimatePickedUp(const JointInput& recording, const EstimateOptions& options,
+                                       const Findings& read, const Progress& progress) {
+  const auto parts = partsWithAndWithout(*recording.recording, recording.robot, options, progress);
+  if (!parts) return parts.error();
+  ReadingFindings findings{read, read};
+  const auto tell = [&](const char* code, const char* sentence, const std::vector<double>& times) {
+    std::vector<std::string> said;
+    for (const double time : times) said.push_back(sayNumber(time, 1));
+    if (!said.empty())
+      findings.with.push_back({Severity::info, code, heft::say(fmt::runtime(sentence), joined(said)), {}, {}});
+  };
+  tell("picked_up", toSay("Picked up at {} s."), parts->pickedUpAt);
+  tell("put_down", toSay("Put down at {} s."), parts->putDownAt);
+  EstimateOptions settings = options;
+  settings.segments = SegmentMode::automatic;
+  return estimateCarriedObject({&parts->with, recording.robot}, {&parts->without, recording.robot}, settings, findings,
+                               progress);
 }
 
 }  // namespace heft

@@ -131,14 +131,6 @@
         <translation>Weit über dem, was Rauschen allein ergäbe.</translation>
     </message>
     <message>
-        <source>mass %1 → %2 kg</source>
-        <translation>Masse %1 → %2 kg</translation>
-    </message>
-    <message>
-        <source>centre %1 %2 → %3 mm</source>
-        <translation>Schwerpunkt %1 %2 → %3 mm</translation>
-    </message>
-    <message>
         <source>Time [s]</source>
         <translation>Zeit [s]</translation>
     </message>
@@ -255,10 +247,6 @@
         <translation>Es bleibt nur das Rauschen des Sensors.</translation>
     </message>
     <message>
-        <source>Error %1, noise floor %2; torque %3 N m.</source>
-        <translation>Fehler %1, Rauschen %2; Drehmoment %3 N m.</translation>
-    </message>
-    <message>
         <source>Show the motion</source>
         <translation>Bewegung zeigen</translation>
     </message>
@@ -275,10 +263,6 @@
         <translation>Fehler: %1 [%2]</translation>
     </message>
     <message>
-        <source>%1 N m</source>
-        <translation>%1 N m</translation>
-    </message>
-    <message>
         <source>Value and half of its 95 % interval; in files: %1</source>
         <translation>Wert und halber 95-%-Bereich; in Dateien: %1</translation>
     </message>
@@ -289,10 +273,6 @@
     <message>
         <source>Forces fit less well with it there: %1 → %2.</source>
         <translation>Die Kräfte passen dort damit schlechter: %1 → %2.</translation>
-    </message>
-    <message>
-        <source>Torques fit less well with it there: %1 → %2 N m.</source>
-        <translation>Die Drehmomente passen dort damit schlechter: %1 → %2 N m.</translation>
     </message>
     <message>
         <source>These segments are already excluded (see Mark).</source>
@@ -335,10 +315,6 @@
         <translation>, </translation>
     </message>
     <message>
-        <source>mass ± %1 → ± %2 kg</source>
-        <translation>Masse ± %1 → ± %2 kg</translation>
-    </message>
-    <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
@@ -361,6 +337,26 @@
     <message>
         <source>“Apply” takes out the first, “%1”, which fits a little better.</source>
         <translation>„Anwenden“ nimmt die erste heraus, „%1“, die etwas besser passt.</translation>
+    </message>
+    <message>
+        <source>Torques fit less well with it there: %1 → %2.</source>
+        <translation>Die Drehmomente passen dort damit schlechter: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>mass %1 → %2</source>
+        <translation>Masse %1 → %2</translation>
+    </message>
+    <message>
+        <source>centre %1 %2 → %3</source>
+        <translation>Schwerpunkt %1 %2 → %3</translation>
+    </message>
+    <message>
+        <source>mass ± %1 → ± %2</source>
+        <translation>Masse ± %1 → ± %2</translation>
+    </message>
+    <message>
+        <source>Error %1, noise floor %2; torque %3.</source>
+        <translation>Fehler %1, Rauschen %2; Drehmoment %3.</translation>
     </message>
 </context>
 <context>
@@ -1338,22 +1334,14 @@
     </message>
 </context>
 <context>
-    <name>Passport</name>
+    <name>ObjectText</name>
     <message>
-        <source>Number</source>
-        <translation>Zahl</translation>
+        <source>It weighs %1.</source>
+        <translation>Es wiegt %1.</translation>
     </message>
     <message>
-        <source>Value</source>
-        <translation>Wert</translation>
-    </message>
-    <message>
-        <source>95 %</source>
-        <translation>95 %</translation>
-    </message>
-    <message>
-        <source>Known from</source>
-        <translation>Bekannt aus</translation>
+        <source>It seems to weigh %1.</source>
+        <translation>Es scheint %1 zu wiegen.</translation>
     </message>
     <message>
         <source>Mass</source>
@@ -1364,85 +1352,16 @@
         <translation>Schwerpunkt %1</translation>
     </message>
     <message>
-        <source>Numbers, in the sensor’s axes</source>
-        <translation>Zahlen, in den Achsen des Sensors</translation>
+        <source>No object was found: %1, which noise alone could make.</source>
+        <translation>Kein Gegenstand gefunden: %1; so viel kann das Rauschen allein ausmachen.</translation>
     </message>
     <message>
-        <source>Proof</source>
-        <translation>Beweis</translation>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
     </message>
-    <message>
-        <source>These numbers were not proved on another recording.</source>
-        <translation>Diese Zahlen wurden an keiner anderen Aufnahme bewiesen.</translation>
-    </message>
-    <message>
-        <source>Causes of misfit</source>
-        <translation>Ursachen von Abweichungen</translation>
-    </message>
-    <message>
-        <source>The reality check was not run.</source>
-        <translation>Die Realitätsprüfung wurde nicht durchgeführt.</translation>
-    </message>
-    <message>
-        <source>None was found.</source>
-        <translation>Keine wurde gefunden.</translation>
-    </message>
-    <message>
-        <source>It is taken out of the numbers.</source>
-        <translation>Sie ist aus den Zahlen herausgerechnet.</translation>
-    </message>
-    <message>
-        <source>It is not taken out of the numbers.</source>
-        <translation>Sie ist nicht aus den Zahlen herausgerechnet.</translation>
-    </message>
-    <message>
-        <source>Could not have been seen: %1.</source>
-        <translation>Nicht zu sehen gewesen wären: %1.</translation>
-    </message>
-    <message>
-        <source>Since the passport of %1</source>
-        <translation>Seit dem Pass vom %1</translation>
-    </message>
-    <message>
-        <source>The tool has changed, by more than chance.</source>
-        <translation>Das Werkzeug hat sich geändert, mehr als durch Zufall.</translation>
-    </message>
-    <message>
-        <source>Nothing has changed beyond chance.</source>
-        <translation>Nichts hat sich über den Zufall hinaus geändert.</translation>
-    </message>
-    <message>
-        <source>The sensor’s mount is stated otherwise, so the mass alone is compared.</source>
-        <translation>Der Anbau des Sensors ist anders angegeben, daher wird nur die Masse verglichen.</translation>
-    </message>
-    <message>
-        <source>Before</source>
-        <translation>Vorher</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Jetzt</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Unterschied</translation>
-    </message>
-    <message>
-        <source>changed</source>
-        <translation>geändert</translation>
-    </message>
-    <message>
-        <source>Payload passport: %1</source>
-        <translation>Werkzeugpass: %1</translation>
-    </message>
-    <message>
-        <source>%1, %2. Recording %3.</source>
-        <translation>%1, %2. Aufnahme %3.</translation>
-    </message>
-    <message>
-        <source>These numbers deserve little trust; see the result’s warnings.</source>
-        <translation>Diese Zahlen verdienen wenig Vertrauen; siehe die Warnungen des Ergebnisses.</translation>
-    </message>
+</context>
+<context>
+    <name>Passport</name>
     <message>
         <source>A passport needs a result.</source>
         <translation>Ein Pass braucht ein Ergebnis.</translation>
@@ -1509,33 +1428,6 @@
     <message>
         <source>Found at once: %1 of %2. With a hint or at the second try: %3.</source>
         <translation>Sofort gefunden: %1 von %2. Mit Hinweis oder im zweiten Versuch: %3.</translation>
-    </message>
-</context>
-<context>
-    <name>Proof</name>
-    <message>
-        <source>Checked on %1.</source>
-        <translation>Geprüft an %1.</translation>
-    </message>
-    <message>
-        <source>Left over in free motion: %1 N and %2 N m; the sensor’s own scatter is %3 N and %4 N m.</source>
-        <translation>In freier Bewegung bleiben %1 N und %2 N m; der Sensor selbst streut mit %3 N und %4 N m.</translation>
-    </message>
-    <message>
-        <source>An error of %1 or %2 %3 would have shown.</source>
-        <translation>Ein Fehler von %1 oder %2 %3 wäre aufgefallen.</translation>
-    </message>
-    <message>
-        <source>PASS: with these numbers taken off, only the sensor’s noise is left.</source>
-        <translation>BESTANDEN: Ohne diese Last bleibt nur das Rauschen des Sensors.</translation>
-    </message>
-    <message>
-        <source>NOT YET</source>
-        <translation>NOCH NICHT</translation>
-    </message>
-    <message>
-        <source>NOT YET: this recording is not sufficient.</source>
-        <translation>NOCH NICHT: Diese Aufnahme reicht nicht aus.</translation>
     </message>
 </context>
 <context>
@@ -1767,10 +1659,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Was ein starres Werkzeug unerklärt lässt, wie angegeben und so gelesen</translation>
     </message>
     <message>
-        <source>As stated, the tool would weigh %1 kg.</source>
-        <translation>Wie angegeben, wöge das Werkzeug %1 kg.</translation>
-    </message>
-    <message>
         <source>Not what the setup file says</source>
         <translation>Anders als die Meta-Datei sagt</translation>
     </message>
@@ -1813,6 +1701,10 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>State it under Robot and sensor …</source>
         <translation>Unter Roboter und Sensor angeben …</translation>
+    </message>
+    <message>
+        <source>As stated, the tool would weigh %1.</source>
+        <translation>Wie angegeben würde das Werkzeug %1 wiegen.</translation>
     </message>
 </context>
 <context>
@@ -2502,6 +2394,32 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Your tool seems to weigh %1.</source>
         <translation>Ihr Werkzeug wiegt anscheinend %1.</translation>
     </message>
+    <message>
+        <source>Centre from the flange</source>
+        <translation>Schwerpunkt vom Flansch aus</translation>
+    </message>
+    <message>
+        <source>x, y, z from the flange’s origin along its axes, with the sensor’s mount as stated</source>
+        <translation>x, y, z vom Ursprung des Flansches entlang seiner Achsen, mit dem Anbau des Sensors wie angegeben</translation>
+    </message>
+    <message>
+        <source>Inertia, flange axes</source>
+        <translation>Trägheit, Achsen des Flansches</translation>
+    </message>
+    <message>
+        <source>%1
+%2 kg cm²</source>
+        <translation>%1
+%2 kg cm²</translation>
+    </message>
+    <message>
+        <source>About the centre of mass: xx, yy, zz; xy, xz, yz</source>
+        <translation>Um den Schwerpunkt: xx, yy, zz; xy, xz, yz</translation>
+    </message>
+    <message>
+        <source>100 %, %1 of %2 directions</source>
+        <translation>100 %, %1 von %2 Richtungen</translation>
+    </message>
 </context>
 <context>
     <name>RobotChoice</name>
@@ -3165,7 +3083,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>centre of mass along {}</source>
-        <translation>Schwerpunkt entlang {}</translation>
+        <translation>Schwerpunkt bezogen auf {}</translation>
     </message>
     <message>
         <source>rotation about {}</source>
@@ -5980,10 +5898,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Pfeile auf dem Sensor mit der Montage in der Meta-Datei vergleichen.</translation>
     </message>
     <message>
-        <source>Turn the last joint by half a turn and hold, then tilt the tool.</source>
-        <translation>Das letzte Gelenk um eine halbe Drehung drehen und halten, dann das Werkzeug kippen.</translation>
-    </message>
-    <message>
         <source>The weight shows up on the wrong axis of the sensor, always the same one.</source>
         <translation>Das Gewicht erscheint auf der falschen Achse des Sensors, immer derselben.</translation>
     </message>
@@ -6118,10 +6032,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Check that joint&apos;s calibration and the robot description of this recording.</source>
         <translation>Die Kalibrierung dieses Gelenks und die Roboterbeschreibung dieser Aufnahme prüfen.</translation>
-    </message>
-    <message>
-        <source>Visit poses in which the other joints stand very differently, elbow high and low.</source>
-        <translation>Lagen aufsuchen, in denen die anderen Gelenke ganz anders stehen, Ellbogen hoch und tief.</translation>
     </message>
     <message>
         <source>A difference that depends on the pose: a tilt that is not the same everywhere.</source>
@@ -9311,56 +9221,220 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Joint {} would need {:.1f} of the {:.1f} N m that it may give, {:.1f} s into the motion.</source>
         <translation>Gelenk {} bräuchte {:.1f} von {:.1f} N m, die es aufbringen darf, {:.1f} s nach Beginn der Bewegung.</translation>
     </message>
+    <message>
+        <source>{} is no result of an estimate; make one with heft estimate REC --json FILE.</source>
+        <translation>{} ist kein Ergebnis einer Schätzung; erzeugen Sie eines mit heft estimate REC --json DATEI.</translation>
+    </message>
+    <message>
+        <source>from your shape</source>
+        <translation>aus Ihrer Form</translation>
+    </message>
+    <message>
+        <source>not known from this motion</source>
+        <translation>aus dieser Bewegung nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Centre {}</source>
+        <translation>Schwerpunkt {}</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Known from</source>
+        <translation>Bekannt aus</translation>
+    </message>
+    <message>
+        <source>Numbers, in the sensor’s axes</source>
+        <translation>Zahlen, in den Achsen des Sensors</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Beweis</translation>
+    </message>
+    <message>
+        <source>These numbers were not proved on another recording.</source>
+        <translation>Diese Zahlen wurden an keiner anderen Aufnahme bewiesen.</translation>
+    </message>
+    <message>
+        <source>It is taken out of the numbers.</source>
+        <translation>Sie ist aus den Zahlen herausgerechnet.</translation>
+    </message>
+    <message>
+        <source>It is not taken out of the numbers.</source>
+        <translation>Sie ist nicht aus den Zahlen herausgerechnet.</translation>
+    </message>
+    <message>
+        <source>Causes of misfit</source>
+        <translation>Ursachen von Abweichungen</translation>
+    </message>
+    <message>
+        <source>The reality check was not run.</source>
+        <translation>Die Realitätsprüfung wurde nicht durchgeführt.</translation>
+    </message>
+    <message>
+        <source>None was found.</source>
+        <translation>Keine wurde gefunden.</translation>
+    </message>
+    <message>
+        <source>Could not have been seen: {}.</source>
+        <translation>Nicht zu sehen gewesen wären: {}.</translation>
+    </message>
+    <message>
+        <source>The tool has changed, by more than chance.</source>
+        <translation>Das Werkzeug hat sich geändert, mehr als durch Zufall.</translation>
+    </message>
+    <message>
+        <source>Nothing has changed beyond chance.</source>
+        <translation>Nichts hat sich über den Zufall hinaus geändert.</translation>
+    </message>
+    <message>
+        <source>Since the passport of {}</source>
+        <translation>Seit dem Pass vom {}</translation>
+    </message>
+    <message>
+        <source>The sensor’s mount is stated otherwise, so the mass alone is compared.</source>
+        <translation>Der Anbau des Sensors ist anders angegeben, daher wird nur die Masse verglichen.</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>geändert</translation>
+    </message>
+    <message>
+        <source>{}, {}. Recording {}.</source>
+        <translation>{}, {}. Aufnahme {}.</translation>
+    </message>
+    <message>
+        <source>These numbers deserve little trust; see the result’s warnings.</source>
+        <translation>Diese Zahlen verdienen wenig Vertrauen; siehe die Warnungen des Ergebnisses.</translation>
+    </message>
+    <message>
+        <source>Payload passport: {}</source>
+        <translation>Werkzeugpass: {}</translation>
+    </message>
+    <message>
+        <source>Checked on {}.</source>
+        <translation>Geprüft an {}.</translation>
+    </message>
+    <message>
+        <source>Left over in free motion: {} N and {}; the sensor’s own scatter is {} N and {}.</source>
+        <translation>In freier Bewegung bleiben {} N und {}; der Sensor selbst streut mit {} N und {}.</translation>
+    </message>
+    <message>
+        <source>An error of {} or {} would have shown.</source>
+        <translation>Ein Fehler von {} oder {} wäre aufgefallen.</translation>
+    </message>
+    <message>
+        <source>PASS: with these numbers taken off, only the sensor’s noise is left.</source>
+        <translation>BESTANDEN: Ohne diese Last bleibt nur das Rauschen des Sensors.</translation>
+    </message>
+    <message>
+        <source>NOT YET</source>
+        <translation>NOCH NICHT</translation>
+    </message>
+    <message>
+        <source>NOT YET: this recording is not sufficient.</source>
+        <translation>NOCH NICHT: Diese Aufnahme reicht nicht aus.</translation>
+    </message>
+    <message>
+        <source>load changes under {}</source>
+        <translation>Laständerungen unter {}</translation>
+    </message>
+    <message>
+        <source>cables softer than {}</source>
+        <translation>Kabel weicher als {}</translation>
+    </message>
+    <message>
+        <source>delays under {}</source>
+        <translation>Verspätungen unter {}</translation>
+    </message>
+    <message>
+        <source>tilts under {}</source>
+        <translation>Neigungen unter {}</translation>
+    </message>
+    <message>
+        <source>drifts under {}</source>
+        <translation>Drift unter {}</translation>
+    </message>
+    <message>
+        <source>loose parts under {}</source>
+        <translation>lose Teile unter {}</translation>
+    </message>
+    <message>
+        <source>a sensor turned by less than {}</source>
+        <translation>ein Sensor, der weniger als {} verdreht ist</translation>
+    </message>
+    <message>
+        <source>smoothing under {}</source>
+        <translation>Glättung unter {}</translation>
+    </message>
+    <message>
+        <source>wrong gains under {}</source>
+        <translation>falsche Verstärkungen unter {}</translation>
+    </message>
+    <message>
+        <source>joint angles off by less than {}</source>
+        <translation>Gelenkwinkel weniger als {} daneben</translation>
+    </message>
+    <message>
+        <source>steady pulls under {}</source>
+        <translation>steter Zug unter {}</translation>
+    </message>
+    <message>
+        <source>a sensor misplaced by less than {}</source>
+        <translation>ein Sensor weniger als {} am falschen Ort</translation>
+    </message>
+    <message>
+        <source>Picked up at {} s.</source>
+        <translation>Aufgenommen bei {} s.</translation>
+    </message>
+    <message>
+        <source>Put down at {} s.</source>
+        <translation>Abgelegt bei {} s.</translation>
+    </message>
+    <message>
+        <source>Visit poses in which the other joints stand very differently, elbow high and low. No motion tells a wrong zero of the last joint from a sensor rotated about its axis: look at the rig.</source>
+        <translation>Lagen aufsuchen, in denen die anderen Gelenke ganz anders stehen, Ellbogen hoch und tief. Eine falsche Nullstellung des letzten Gelenks unterscheidet keine Bewegung von einem um seine Achse verdrehten Sensor: Sehen Sie am Aufbau nach.</translation>
+    </message>
+    <message>
+        <source>Turn the last joint by half a turn and hold, then tilt the tool. No motion tells a sensor rotated about the last joint&apos;s axis from a wrong zero of that joint: look at the rig.</source>
+        <translation>Das letzte Gelenk um eine halbe Drehung drehen und halten, dann das Werkzeug kippen. Einen um die Achse des letzten Gelenks verdrehten Sensor unterscheidet keine Bewegung von einer falschen Nullstellung dieses Gelenks: Sehen Sie am Aufbau nach.</translation>
+    </message>
 </context>
 <context>
-    <name>heft::Causes</name>
+    <name>heft::CarriedObjects</name>
     <message>
-        <source>load changes under %1</source>
-        <translation>Laständerungen unter %1</translation>
+        <source>That is the recording with the object itself: choose one without it.</source>
+        <translation>Das ist die Aufnahme mit dem Gegenstand selbst: Wählen Sie eine ohne ihn.</translation>
     </message>
     <message>
-        <source>cables softer than %1</source>
-        <translation>Kabel weicher als %1</translation>
+        <source>Open the recording with the object first.</source>
+        <translation>Öffnen Sie zuerst die Aufnahme mit dem Gegenstand.</translation>
     </message>
     <message>
-        <source>delays under %1</source>
-        <translation>Verspätungen unter %1</translation>
-    </message>
-    <message>
-        <source>tilts under %1</source>
-        <translation>Neigungen unter %1</translation>
-    </message>
-    <message>
-        <source>drifts under %1</source>
-        <translation>Drift unter %1</translation>
-    </message>
-    <message>
-        <source>loose parts under %1</source>
-        <translation>lose Teile unter %1</translation>
-    </message>
-    <message>
-        <source>a sensor turned by less than %1</source>
-        <translation>ein Sensor, der weniger als %1 verdreht ist</translation>
-    </message>
-    <message>
-        <source>smoothing under %1</source>
-        <translation>Glättung unter %1</translation>
-    </message>
-    <message>
-        <source>wrong gains under %1</source>
-        <translation>falsche Verstärkungen unter %1</translation>
-    </message>
-    <message>
-        <source>joint angles off by less than %1</source>
-        <translation>Gelenkwinkel weniger als %1 daneben</translation>
-    </message>
-    <message>
-        <source>steady pulls under %1</source>
-        <translation>steter Zug unter %1</translation>
-    </message>
-    <message>
-        <source>a sensor misplaced by less than %1</source>
-        <translation>ein Sensor weniger als %1 am falschen Ort</translation>
+        <source>Finding what is carried</source>
+        <translation>Was getragen wird, wird gesucht</translation>
     </message>
 </context>
 <context>
@@ -9686,14 +9760,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Änderungsrate der Last</translation>
     </message>
     <message>
-        <source>Torque left over [N m/√Hz]</source>
-        <translation>Moment, das übrig bleibt [N m/√Hz]</translation>
-    </message>
-    <message>
-        <source>Force left over [N/√Hz]</source>
-        <translation>Kraft, die übrig bleibt [N/√Hz]</translation>
-    </message>
-    <message>
         <source>measured</source>
         <translation>gemessen</translation>
     </message>
@@ -9724,6 +9790,14 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Grey: what the verdict takes for the sensor’s noise, slow noise included.</source>
         <translation>Grau: was das Urteil für Rauschen des Sensors hält, auch langsames.</translation>
+    </message>
+    <message>
+        <source>Torque left over [%1/√Hz]</source>
+        <translation>Übriges Drehmoment [%1/√Hz]</translation>
+    </message>
+    <message>
+        <source>Force left over [%1/√Hz]</source>
+        <translation>Übrige Kraft [%1/√Hz]</translation>
     </message>
 </context>
 <context>
@@ -10360,10 +10434,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Die Aufnahme der Lektion wird gemacht</translation>
     </message>
     <message>
-        <source>Yes.</source>
-        <translation>Ja.</translation>
-    </message>
-    <message>
         <source>Look once more.</source>
         <translation>Sehen Sie noch einmal hin.</translation>
     </message>
@@ -10394,6 +10464,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>There is no lesson %1.</source>
         <translation>Es gibt keine Lektion %1.</translation>
+    </message>
+    <message>
+        <source>Right.</source>
+        <translation>Richtig.</translation>
     </message>
 </context>
 <context>
@@ -11121,10 +11195,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>%1 weglassen</translation>
     </message>
     <message>
-        <source>%1 kg</source>
-        <translation>%1 kg</translation>
-    </message>
-    <message>
         <source>Nothing else</source>
         <translation>Nichts weiter</translation>
     </message>
@@ -11183,6 +11253,57 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Add it</source>
         <translation>Dazunehmen</translation>
+    </message>
+</context>
+<context>
+    <name>heft::ObjectCard</name>
+    <message>
+        <source>Something picked up?</source>
+        <translation>Etwas aufgenommen?</translation>
+    </message>
+    <message>
+        <source>Heft weighs by itself what the tool carries: from this recording, if it is picked up or put down in it, or by a second one of the same tool without it.</source>
+        <translation>Heft wiegt einzeln, was das Werkzeug trägt: aus dieser Aufnahme, wenn es darin aufgenommen oder abgelegt wird, oder mit einer zweiten desselben Werkzeugs ohne es.</translation>
+    </message>
+    <message>
+        <source>Picked up in this recording</source>
+        <translation>In dieser Aufnahme aufgenommen</translation>
+    </message>
+    <message>
+        <source>Compare with a recording without it …</source>
+        <translation>Mit einer Aufnahme ohne es vergleichen …</translation>
+    </message>
+    <message>
+        <source>What is carried</source>
+        <translation>Was getragen wird</translation>
+    </message>
+    <message>
+        <source>Heft weighs what is carried …</source>
+        <translation>Heft wiegt, was getragen wird …</translation>
+    </message>
+    <message>
+        <source>From the parts of this recording with and without it, in the sensor’s axes.</source>
+        <translation>Aus den Teilen dieser Aufnahme mit und ohne es, in den Achsen des Sensors.</translation>
+    </message>
+    <message>
+        <source>This recording less %1, in the sensor’s axes.</source>
+        <translation>Diese Aufnahme abzüglich %1, in den Achsen des Sensors.</translation>
+    </message>
+    <message>
+        <source>Causes that were applied are not taken out.</source>
+        <translation>Angewendete Ursachen sind nicht herausgerechnet.</translation>
+    </message>
+    <message>
+        <source>The same tool without the object</source>
+        <translation>Dasselbe Werkzeug ohne den Gegenstand</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>object expects picked-up, minus and a recording, or off.</source>
+        <translation>object erwartet picked-up, minus und eine Aufnahme oder off.</translation>
     </message>
 </context>
 <context>
@@ -12561,6 +12682,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>As a table for a spreadsheet or a message</source>
         <translation>Als Tabelle für eine Tabellenkalkulation oder eine Nachricht</translation>
     </message>
+    <message>
+        <source>Weigh what was picked up</source>
+        <translation>Aufgenommenes wiegen</translation>
+    </message>
 </context>
 <context>
     <name>heft::ResultStep</name>
@@ -12615,6 +12740,14 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>What the controller is &amp;set to …</source>
         <translation>Was in der &amp;Steuerung steht …</translation>
+    </message>
+    <message>
+        <source>Something &amp;picked up in this recording</source>
+        <translation>In dieser Aufnahme etwas auf&amp;genommen</translation>
+    </message>
+    <message>
+        <source>Something carried: compare &amp;without it …</source>
+        <translation>Etwas getragen: &amp;ohne es vergleichen …</translation>
     </message>
 </context>
 <context>
@@ -13943,14 +14076,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>vorher %1</translation>
     </message>
     <message>
-        <source>Force left over [N]</source>
-        <translation>Übrige Kraft [N]</translation>
-    </message>
-    <message>
-        <source>Torque left over [N m]</source>
-        <translation>Übriges Drehmoment [N m]</translation>
-    </message>
-    <message>
         <source>No fault is on: this is the recording as it is.</source>
         <translation>Kein Fehler ist an: So ist die Aufnahme.</translation>
     </message>
@@ -13963,16 +14088,24 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>In dieser Bewegung sähe es niemand, und es schadet nicht.</translation>
     </message>
     <message>
-        <source>It would be seen: %1 N and %2 N m are left over, %3 N and %4 N m without it.</source>
-        <translation>Man sähe es: %1 N und %2 N m bleiben übrig, ohne den Fehler %3 N und %4 N m.</translation>
-    </message>
-    <message>
         <source>Nothing else looks like it: “%1” explains %2 % of it at most.</source>
         <translation>Nichts anderes sieht so aus: „%1“ erklärt davon höchstens %2 %.</translation>
     </message>
     <message>
         <source>It looks like “%1” %2: that explains %3 % of it. To decide: %4</source>
         <translation>Es sieht aus wie „%1“ %2: Das erklärt %3 % davon. Zum Entscheiden: %4</translation>
+    </message>
+    <message>
+        <source>Force left over [%1]</source>
+        <translation>Übrige Kraft [%1]</translation>
+    </message>
+    <message>
+        <source>Torque left over [%1]</source>
+        <translation>Übriges Drehmoment [%1]</translation>
+    </message>
+    <message>
+        <source>It would be seen: %1 N and %2 are left over, %3 N and %4 without it.</source>
+        <translation>Man sähe es: %1 N und %2 bleiben übrig, ohne den Fehler %3 N und %4.</translation>
     </message>
 </context>
 <context>

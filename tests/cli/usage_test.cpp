@@ -14,8 +14,9 @@ using testing::StartsWith;
 
 using UsageTest = CliTest;
 
-const std::vector<std::string> kCommands{"estimate", "simulate", "export",     "convert", "reproduce", "live",
-                                         "segment",  "diagnose", "compensate", "prove",   "coach",   "excite"};
+const std::vector<std::string> kCommands{"estimate", "simulate", "export",   "convert",    "reproduce",
+                                         "live",     "segment",  "diagnose", "compensate", "prove",
+                                         "passport", "coach",    "excite"};
 
 TEST_F(UsageTest, HelpGoesToStdoutAndEndsWell) {
   for (const auto& flag : {"--help", "-h"}) {

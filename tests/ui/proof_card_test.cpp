@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_file.h"
+#include "core/base/said_again.h"
+#include "core/base/say.h"
+#include "core/compensation/passport_page.h"
 #include "core/recording/csv_reader.h"
 #include "core/robot/robot_model.h"
 #include "core/simulation/simulate.h"
@@ -16,7 +19,7 @@
 #include "ui/export_panel/export_panel.h"
 #include "ui/models/proof_text.h"
 #include "ui/report/paper.h"
-#include "ui/report/passport_page.h"
+#include "ui/report/passport_files.h"
 #include "ui/report/session_report.h"
 
 namespace heft {
@@ -109,6 +112,29 @@ TEST_F(ProofCardTest, AnotherPayloadDoesNotPassAndTheReasonIsSaid) {
   EXPECT_TRUE(texts().contains("The entered mass of")) << texts().toStdString();
 }
 
+/// Found in English, kept in a session, shown in German: the reasons are said as if found in German.
+TEST_F(ProofCardTest, ReasonsAreSaidInTheLanguageOfNow) {
+  rememberSentences(1000);
+  ASSERT_TRUE(tell({"prove", wrong}));
+  EXPECT_TRUE(texts().contains("The entered mass of 0.")) << texts().toStdString();
+  const QString session = folder.filePath("english.heft");
+  ASSERT_TRUE(workspace.save(session));
+  rememberSentences(0);  // Another start of the program
+  setTranslator(
+      [](const char* pattern) -> std::string {
+        return std::string(pattern).starts_with("The entered mass of")
+                   ? "Die eingetragene Masse von {:.3f} kg ist um {:+.3f} kg falsch; erlaubt sind {:.3f} kg."
+                   : "";
+      },
+      ',');
+  workspace.startAfresh();
+  workspace.open(session);
+  settle();
+  EXPECT_TRUE(texts().contains("Die eingetragene Masse von 0,")) << texts().toStdString();
+  EXPECT_FALSE(texts().contains("The entered mass"));
+  setTranslator({});
+}
+
 TEST_F(ProofCardTest, OtherNumbersNeedAnotherProof) {
   ASSERT_TRUE(tell({"prove", right}));
   EstimateSettings settings = workspace.session().settings;
@@ -151,7 +177,7 @@ TEST_F(ProofCardTest, APassportIsOneSheetAndTheNextOneSaysWhatChanged) {
   EXPECT_TRUE(second["since"]["mass_and_centre_changed"]);
   EXPECT_TRUE(second["since"]["numbers"][0]["more_than_chance"]);
   EXPECT_TRUE(second["proof"].is_null()) << "a proof of other numbers is none of these";
-  const QString html = passportHtml(second.dump(), *workspace.report());
+  const QString html = QString::fromStdString(passportPage(second));
   EXPECT_TRUE(html.contains("The tool has changed, by more than chance."));
   EXPECT_EQ(paper::sheets(html), 1);
 }

@@ -78,10 +78,18 @@ TEST(SceneTrack, PosesAreInterpolated) {
   // Outside the recording its ends hold.
   EXPECT_NEAR(track.sensorAt(99).translation().x(), 10.0, 1e-9);
   EXPECT_NEAR(track.sensorAt(-99).translation().x(), 0.0, 1e-9);
-  const auto path = track.path(11);
+  const auto path = track.path(-1e9, 1e9, 11);
   ASSERT_EQ(path.size(), 11u);
   EXPECT_NEAR(path[5].p_BSo_B.x(), 5.0, 1e-9);
   EXPECT_NEAR(path.back().time, 10.0, 1e-9);
+  // A part of it: of a long recording that is what one can look at.
+  const auto part = track.path(2.5, 7.2, 1000);
+  ASSERT_GT(part.size(), 2u);
+  EXPECT_GE(part.front().time, 2.5);
+  EXPECT_LT(part.front().time, 3.6);
+  EXPECT_LE(part.back().time, 7.2);
+  EXPECT_GT(part.back().time, 6.1);
+  EXPECT_TRUE(track.path(20.0, 30.0, 100).empty());
 }
 
 TEST(SceneTrack, JointsGiveTheSamePoseAsTheRobot) {
@@ -137,7 +145,7 @@ TEST(SceneTrack, OrientationOnlyTurnsInPlace) {
   recording->position.resize(0, 3);
   const SceneTrack track(recording, nullptr);
   EXPECT_FALSE(track.positionKnown());
-  EXPECT_TRUE(track.path(100).empty());
+  EXPECT_TRUE(track.path(-1e9, 1e9, 100).empty());
   EXPECT_EQ(track.sensorAt(0).translation(), track.sensorAt(1).translation());
   EXPECT_GT((track.sensorAt(0).linear() - track.sensorAt(1).linear()).norm(), 0.1);
 }

@@ -165,7 +165,7 @@ TEST_F(WhatIfTest, ALessonLeadsFromItsRecordingToItsQuestion) {
   settle();
   EXPECT_TRUE(words().contains("Look once more."));
   tell({"lesson", "answer", "1"});
-  EXPECT_TRUE(words().contains("Yes."));
+  EXPECT_TRUE(words().contains("Right."));
   tell({"lesson", "off"});
   EXPECT_FALSE(words().contains("Late against filtered"));
   const auto wrong = panel->obey({"lesson", "7"});

@@ -411,9 +411,10 @@ void ExportPanel::confirmUntrusted() {
   const auto report = workspace().report();
   if (!report) return;
   auto* box =
-      new QMessageBox(QMessageBox::Warning, tr("Heft Studio"),
+      new QMessageBox(QMessageBox::NoIcon, tr("Heft Studio"),
                       tr("Write a payload that nothing in the recording supports?"), QMessageBox::NoButton, this);
   box->setObjectName("confirmUntrusted");
+  box->setIconPixmap(lightPixmap(Light::look, 36, devicePixelRatioF()));
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setInformativeText(
       tr("%1\n\nA robot with a wrong load setting drifts when it is guided, stops without a reason, or does not stop "

@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 
 #include "ui/export_panel/export_text.h"
-#include "ui/models/numbers.h"
+#include "ui/models/units.h"
 #include "ui/widgets/basics.h"
 
 namespace heft {
@@ -52,7 +52,7 @@ void MountedList::showParts(const std::vector<MountedPart>& parts, bool nothingE
   }
   const auto line = [&](QWidget* left, const QString& right, const char* style) {
     auto* row = new QWidget(this);
-    row->setFixedHeight(30);
+    row->setFixedHeight(40);  // A finger's worth, as the boxes and the button in it are high
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
     // A long name must not make the panel wider than it is.
@@ -75,7 +75,7 @@ void MountedList::showParts(const std::vector<MountedPart>& parts, bool nothingE
       emit changed(next, on ? tr("add %1").arg(QString::fromStdString(next[i].name))
                             : tr("leave out %1").arg(QString::fromStdString(next[i].name)));
     });
-    line(box, tr("%1 kg").arg(numberText(parts_[i].payload.mass, 3)), parts_[i].present ? "smallNumber" : "rowName");
+    line(box, massText(parts_[i].payload.mass, 3), parts_[i].present ? "smallNumber" : "rowName");
   }
   auto* nothing = new QCheckBox(tr("Nothing else"), this);
   nothing->setObjectName("mountedNothing");
@@ -91,8 +91,7 @@ void MountedList::showParts(const std::vector<MountedPart>& parts, bool nothingE
   connect(more, &QPushButton::clicked, this, &MountedList::addPart);
   line(more, {}, "rowName");
   if (together >= 0) {
-    line(styledLabel(tr("Total on the flange"), "sectionTitle", this), tr("%1 kg").arg(numberText(together, 3)),
-         "midNumber");
+    line(styledLabel(tr("Total on the flange"), "sectionTitle", this), massText(together, 3), "midNumber");
   }
 }
 

@@ -18,7 +18,7 @@
 #include "ui/controller/workspace.h"
 #include "ui/live/live_run.h"
 #include "ui/models/proof_text.h"
-#include "ui/report/passport_page.h"
+#include "ui/report/passport_files.h"
 #include "ui/widgets/basics.h"
 
 namespace heft {
@@ -77,15 +77,18 @@ void ProofCard::addProof(QVBoxLayout* card, QWidget* content) {
   row->setSpacing(10);
   const bool good = text->passed && !text->outdated;
   row->addWidget(new LightIcon(good ? Light::measured : Light::look, 22, content), 0, Qt::AlignTop);
-  row->addWidget(wrappedLabel(text->headline, "findingText", content), 1);
+  row->addWidget(wrappedLabel(QString::fromStdString(text->headline), "findingText", content), 1);
   card->addLayout(row);
   if (text->outdated)
     card->addWidget(wrappedLabel(tr("The numbers have changed since; prove them again."), "body", content));
   for (const auto& reason : text->reasons) {
-    card->addWidget(wrappedLabel(reason.text, "body", content));
-    if (!reason.remedy.isEmpty()) card->addWidget(wrappedLabel(reason.remedy, "caption", content));
+    card->addWidget(wrappedLabel(QString::fromStdString(reason.text), "body", content));
+    if (!reason.remedy.empty())
+      card->addWidget(wrappedLabel(QString::fromStdString(reason.remedy), "caption", content));
   }
-  card->addWidget(wrappedLabel(text->facts.join(' '), "caption", content));
+  QStringList facts;
+  for (const std::string& fact : text->facts) facts << QString::fromStdString(fact);
+  card->addWidget(wrappedLabel(facts.join(' '), "caption", content));
 }
 
 void ProofCard::addButtons(QVBoxLayout* card, QWidget* content) {

@@ -1,6 +1,7 @@
 #include "ui/mark_panel/mark_panel.h"
 
 #include <QAction>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -12,6 +13,7 @@
 #include <QVariant>
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "core/workspace/marks.h"
 #include "ui/controller/workspace.h"
@@ -124,6 +126,11 @@ void MarkPanel::left() {
   parts().plots->marks()->setSelected(std::nullopt);
 }
 
+void MarkPanel::setDetailsShown(bool shown) {
+  if (shown == std::exchange(details_, shown)) return;
+  refresh();
+}
+
 void MarkPanel::refresh() {
   const int position = page()->scrollPosition();
   const auto opened = workspace().opened();
@@ -226,21 +233,28 @@ void MarkPanel::addDecided(QVBoxLayout* column, const std::vector<Segment>& segm
   QWidget* content = page()->content();
   column->addSpacing(4);
   column->addWidget(styledLabel(tr("All segments"), "sectionTitle", content));
-  auto* rows = new QVBoxLayout;
-  rows->setSpacing(0);
+  auto* rows = new QGridLayout;
+  rows->setVerticalSpacing(0);
+  rows->setHorizontalSpacing(12);
+  rows->setColumnStretch(2, 1);
   column->addLayout(rows);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& segment = segments[i];
-    auto* row = new QPushButton(content);
-    row->setObjectName("linkButton");
-    row->setIcon(markSwatch(segment.label));
-    row->setText(QStringLiteral("  %1   %2")
-                     .arg(stretchText(segment.from, segment.to),
-                          suggested[i] ? tr("%1?").arg(markWord(segment.label)) : markWord(segment.label)));
-    row->setToolTip(QString::fromStdString(segment.reason));
-    row->setAccessibleName(MarksBar::describe(segment));
-    connect(row, &QPushButton::clicked, this, [this, segment] { select(segment.from, segment.to); });
-    rows->addWidget(row);
+    const int line = static_cast<int>(2 * i);
+    auto* swatch = new QLabel(content);
+    swatch->setPixmap(markSwatch(segment.label).pixmap(16, 16));
+    rows->addWidget(swatch, line, 0);
+    auto* when = new QPushButton(stretchText(segment.from, segment.to), content);
+    when->setObjectName("linkButton");
+    when->setToolTip(QString::fromStdString(segment.reason));
+    when->setAccessibleName(MarksBar::describe(segment));
+    connect(when, &QPushButton::clicked, this, [this, segment] { select(segment.from, segment.to); });
+    rows->addWidget(when, line, 1, Qt::AlignRight);
+    rows->addWidget(styledLabel(suggested[i] ? tr("%1?").arg(markWord(segment.label)) : markWord(segment.label),
+                                "rowName", content),
+                    line, 2);
+    if (details_ && !segment.reason.empty())
+      rows->addWidget(wrappedLabel(QString::fromStdString(segment.reason), "caption", content), line + 1, 1, 1, 2);
   }
 }
 

@@ -27,6 +27,7 @@ class MarkPanel : public StepPanel {
   void entered() override;
   void left() override;
   void addActions(const StudioMenus& menus) override;
+  void setDetailsShown(bool shown) override;
   bool keyPressed(QKeyEvent* event) override;
   std::optional<Result<bool>> obey(const QStringList& words) override;
 
@@ -52,7 +53,8 @@ class MarkPanel : public StepPanel {
   bool here_ = false;
   QColor drawnIn_;  ///< The theme's text colour when that was last asked.
   Segments* brushes_ = nullptr;
-  int trimKey_ = 0;  ///< Steps of one change are one edit.
+  bool details_ = false;  ///< Why each stretch is what it is
+  int trimKey_ = 0;       ///< Steps of one change are one edit.
 };
 
 }  // namespace heft

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/models/numbers.h"
+#include "ui/models/said_now.h"
 #include "ui/models/units.h"
 
 namespace heft {
@@ -94,8 +95,7 @@ EntryText describeEntry(const EntryCost& cost, const ControllerLimits& limits) {
   if (!cost.inertiaTold) missing << EntryWords::tr("No inertia is set, so the estimated one is used.");
   if (!cost.centreTold && !cost.inertiaTold)
     missing = QStringList{EntryWords::tr("No centre of mass and no inertia are set, so the estimated ones are used.")};
-  for (const Finding& finding : cost.findings)
-    missing << QString::fromStdString(finding.text + " " + finding.remedy).trimmed();
+  for (const Finding& finding : cost.findings) missing << saidNow(finding.text + " " + finding.remedy).trimmed();
   out.note = missing.join(' ');
   if (!cost.differs) {
     out.headline = EntryWords::tr("The entry agrees with this recording.");

@@ -17,14 +17,6 @@ QString numberText(double value, int decimals) {
   return value < 0 ? QChar(0x2212) + text : text;
 }
 
-int decimalsFor(double uncertainty, int most) {
-  if (!std::isfinite(uncertainty) || uncertainty <= 0) return most;
-  const double exponent = std::floor(std::log10(uncertainty));
-  const double lead = uncertainty / std::pow(10.0, exponent);
-  const int decimals = static_cast<int>(-exponent) + (lead < 1.95 ? 1 : 0);
-  return std::clamp(decimals, 0, most);
-}
-
 QString timeText(double time, bool poses) {
   if (poses) return QCoreApplication::translate("heft", "pose %1").arg(static_cast<int>(std::lround(time)));
   return numberText(time, 2) + QStringLiteral(" s");

@@ -7,6 +7,7 @@
 #include "core/base/doubts.h"
 #include "core/math/linear_algebra.h"
 #include "ui/models/numbers.h"
+#include "ui/models/said_now.h"
 #include "ui/models/units.h"
 
 namespace heft {
@@ -181,9 +182,14 @@ void addPrincipalAxes(const EstimateReport& r, std::vector<DetailText>& rows) {
 void addDirections(const EstimateReport& r, std::vector<DetailText>& rows) {
   if (r.identifiability.directions.empty()) return;
   QStringList lines;
+  constexpr double kWhole = 0.995;  // Rounds to 100 %
+  int whole = 0;
+  for (const auto& direction : r.identifiability.directions) whole += direction.dataShare >= kWhole ? 1 : 0;
+  if (whole > 0)
+    lines << ResultWords::tr("100 %, %1 of %2 directions").arg(whole).arg(r.identifiability.directions.size());
   for (const auto& direction : r.identifiability.directions)
-    lines << ResultWords::tr("%1 %, %2")
-                 .arg(numberText(100 * direction.dataShare, 0), QString::fromStdString(direction.about));
+    if (direction.dataShare < kWhole)
+      lines << ResultWords::tr("%1 %, %2").arg(numberText(100 * direction.dataShare, 0), saidNow(direction.about));
   rows.push_back({ResultWords::tr("Told by the motion"), lines.join('\n'),
                   ResultWords::tr("Ten independent directions among the parameters, and the share of the data in each; "
                                   "the rest comes from what was assumed")});
@@ -240,6 +246,16 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
   }
   addDirections(r, rows);
   addPrincipalAxes(r, rows);
+  const Payload onFlange = transformed(r.payload, poseFromXyzRpy(r.mount.xyz, r.mount.rpy));
+  const ShownUnit length = lengthUnit();
+  add(ResultWords::tr("Centre from the flange"),
+      QStringLiteral("%1 %2").arg(triple(length.scale * onFlange.com, 1 + length.decimals), length.name),
+      ResultWords::tr("x, y, z from the flange’s origin along its axes, with the sensor’s mount as stated"));
+  const Matrix3d& I = onFlange.inertiaCom;
+  add(ResultWords::tr("Inertia, flange axes"),
+      ResultWords::tr("%1\n%2 kg cm²")
+          .arg(triple(1e4 * I.diagonal(), 2), triple(1e4 * Vector3d(I(0, 1), I(0, 2), I(1, 2)), 2)),
+      ResultWords::tr("About the centre of mass: xx, yy, zz; xy, xz, yz"));
   if (r.relativeError) {
     QStringList errors;
     if (r.relativeError->hasMass)
@@ -338,8 +354,8 @@ std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPa
 void withholdNumbers(const EstimateReport& report, ResultText& out) {
   out.withheld = true;
   out.question = ResultWords::tr("The weight cannot be determined yet.");
-  out.answer = capitalised(QString::fromStdString(report.whyNoTrust));
-  out.advice = capitalised(QString::fromStdString(report.whatToDo));
+  out.answer = capitalised(saidNow(report.whyNoTrust));
+  out.advice = capitalised(saidNow(report.whatToDo));
   std::erase_if(out.findings, [](const FindingText& finding) { return finding.noTrust; });
   const auto hide = [](NumberText& number) {
     number.value = QString(QChar(0x2014));
@@ -431,19 +447,20 @@ ResultText describeResult(const EstimateReport& report, const KnownPayload& know
   QString joined;
   for (const Finding& finding : report.findings) {
     if (finding.code == "joined") {  // Belongs to the numbers, not below them.
-      joined = QString::fromStdString(finding.text);
+      joined = saidNow(finding.text);
       continue;
     }
     // Already said as advice.
-    if (finding.code == "weak_direction" && capitalised(QString::fromStdString(finding.text)) == out.advice) continue;
+    if (finding.code == "weak_direction" && capitalised(saidNow(finding.text)) == out.advice) continue;
     FindingText said;
     said.severity = finding.severity;
-    said.text = capitalised(QString::fromStdString(finding.text));
-    said.remedy = capitalised(QString::fromStdString(finding.remedy));
+    said.text = capitalised(saidNow(finding.text));
+    said.remedy = capitalised(saidNow(finding.remedy));
     said.doubt = doubtsNumbers(finding.severity, finding.code);
     said.noTrust = finding.code == "no_trust";
     if (finding.code == "shape_contradicts_data" || finding.code == "shape_left_out")
       said.leads = FindingText::Leads::shape;
+    if (finding.code == "payload_change") said.leads = FindingText::Leads::object;
     out.findings.push_back(std::move(said));
     out.doubtful = out.doubtful || out.findings.back().doubt;
   }

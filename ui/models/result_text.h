@@ -30,7 +30,7 @@ struct FindingText {
   QString text, remedy;
   bool doubt = false;    ///< Says that the numbers themselves may be wrong.
   bool noTrust = false;  ///< Says why they are not shown.
-  enum class Leads { cause, realityCheck, shape } leads = Leads::cause;  ///< Where more is to be had
+  enum class Leads { cause, realityCheck, shape, object } leads = Leads::cause;  ///< Where more is to be had
 };
 
 struct DetailText {

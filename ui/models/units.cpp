@@ -38,9 +38,18 @@ ShownUnit angleUnit() {
   return units().radians ? ShownUnit{QStringLiteral("rad"), 1.0, 2} : ShownUnit{QStringLiteral("°"), 180.0 / M_PI, 0};
 }
 
-QString massText(double kilograms, int decimals) {
-  const ShownUnit unit = massUnit();
-  return numberText(unit.scale * kilograms, std::max(0, decimals + unit.decimals)) + QChar(' ') + unit.name;
+ShownUnit wrenchUnit(bool torque) { return torque ? torqueUnit() : ShownUnit{QStringLiteral("N"), 1.0, 0}; }
+
+namespace {
+
+QString shownText(const ShownUnit& unit, double value, int decimals) {
+  return numberText(unit.scale * value, std::max(0, decimals + unit.decimals)) + QChar(' ') + unit.name;
 }
+
+}  // namespace
+
+QString massText(double kilograms, int decimals) { return shownText(massUnit(), kilograms, decimals); }
+
+QString torqueText(double newtonMetres, int decimals) { return shownText(torqueUnit(), newtonMetres, decimals); }
 
 }  // namespace heft

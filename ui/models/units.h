@@ -28,9 +28,13 @@ ShownUnit massUnit();
 ShownUnit lengthUnit();
 ShownUnit torqueUnit();
 ShownUnit angleUnit();
+/// Of forces, which are in N whatever is chosen, or of torques.
+ShownUnit wrenchUnit(bool torque);
 
 /// "0.812 kg", "812 g"; `decimals` are those in kg.
 QString massText(double kilograms, int decimals);
+/// "0.012 N m", "12 N mm"; `decimals` are those in N m.
+QString torqueText(double newtonMetres, int decimals);
 
 }  // namespace heft
 

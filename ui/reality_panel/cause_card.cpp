@@ -15,6 +15,8 @@
 #include "core/diagnosis/report/report.h"
 #include "ui/controller/diagnosis.h"
 #include "ui/models/numbers.h"
+#include "ui/models/said_now.h"
+#include "ui/models/units.h"
 #include "ui/reality_panel/cause_words.h"
 #include "ui/theme/icons.h"
 
@@ -30,9 +32,7 @@ struct UnseenError {
   double before = 0.0, after = 0.0, noise = 0.0;
   bool torque = false;
 
-  QString text(double value) const {
-    return torque ? Say::tr("%1 N m").arg(numberText(value, value < 0.01 ? 4 : 3)) : newtonText(value);
-  }
+  QString text(double value) const { return torque ? torqueText(value, value < 0.01 ? 4 : 3) : newtonText(value); }
 };
 
 UnseenError unseenError(const DiagnosisReport& report, const DiagnosedCause& cause) {
@@ -57,8 +57,8 @@ QString worseText(const DiagnosedCause& cause) {
     return Say::tr("Forces fit less well with it there: %1 → %2.")
         .arg(newtonText(gain.forceBefore), newtonText(gain.forceAfter));
   if (gain.torqueBefore > 0.0 && gain.torqueAfter > kWorse * gain.torqueBefore)
-    return Say::tr("Torques fit less well with it there: %1 → %2 N m.")
-        .arg(numberText(gain.torqueBefore, 3), numberText(gain.torqueAfter, 3));
+    return Say::tr("Torques fit less well with it there: %1 → %2.")
+        .arg(torqueText(gain.torqueBefore, 3), torqueText(gain.torqueAfter, 3));
   return {};
 }
 
@@ -173,8 +173,8 @@ void addDetails(QVBoxLayout* column, const DiagnosisReport& report, const Diagno
               .arg(numberText(100 * cause.gain.explainedFraction, 0), numberText(100 * cause.gain.lower, 0),
                    numberText(100 * cause.gain.upper, 0)),
           Say::tr("Share of the squared error that goes away on held-out segments"));
-      add(Say::tr("Torque"), QStringLiteral("%1 → %2 N m")
-                                 .arg(numberText(cause.gain.torqueBefore, 4), numberText(cause.gain.torqueAfter, 4)));
+      add(Say::tr("Torque"),
+          QStringLiteral("%1 → %2").arg(torqueText(cause.gain.torqueBefore, 4), torqueText(cause.gain.torqueAfter, 4)));
     }
   }
   add(Say::tr("Name in files"), QString::fromStdString(cause.id));
@@ -296,10 +296,15 @@ ChangeText payloadChange(const DiagnosisReport& report) {
     if (before != after) moves.push_back({sigmas, text.arg(before, after)});  // Else nothing that one could see.
   };
   const int digits = std::abs(a.mass - b.mass) < 0.01 ? 4 : std::abs(a.mass - b.mass) < 0.1 ? 3 : 2;
-  offer(moved(0), numberText(a.mass, digits), numberText(b.mass, digits), Say::tr("mass %1 → %2 kg"));
+  const ShownUnit mass = massUnit(), length = lengthUnit();
+  const auto shown = [](const ShownUnit& unit, double value, int decimals) {
+    return numberText(unit.scale * value, std::max(0, decimals + unit.decimals));
+  };
+  offer(moved(0), shown(mass, a.mass, digits), shown(mass, b.mass, digits),
+        Say::tr("mass %1 → %2") + QChar(' ') + mass.name);
   for (int i = 0; i < 3; ++i)
-    offer(moved(1 + i), numberText(1e3 * a.com(i), 1), numberText(1e3 * b.com(i), 1),
-          Say::tr("centre %1 %2 → %3 mm").arg(QChar('x' + i)));
+    offer(moved(1 + i), shown(length, a.com(i), 1), shown(length, b.com(i), 1),
+          Say::tr("centre %1 %2 → %3").arg(QChar('x' + i)) + QChar(' ') + length.name);
   constexpr std::array<std::array<int, 2>, 6> kPlaces{{{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
   for (std::size_t k = 0; k < kPlaces.size(); ++k) {
     const auto [i, j] = kPlaces[k];
@@ -325,7 +330,8 @@ ChangeText payloadChange(const DiagnosisReport& report) {
   constexpr double kMuchWider = 2.0;
   if (was > 0.0 && is > kMuchWider * was)
     out.wider =
-        Say::tr("mass ± %1 → ± %2 kg").arg(numberText(was, decimalsFor(was, 4)), numberText(is, decimalsFor(is, 4)));
+        Say::tr("mass ± %1 → ± %2").arg(shown(mass, was, decimalsFor(was, 4)), shown(mass, is, decimalsFor(is, 4))) +
+        QChar(' ') + mass.name;
   return out;
 }
 
@@ -337,27 +343,28 @@ Chart errorChart(const DiagnosisReport& report, const DiagnosedCause& cause) {
   const auto stretch = telling(report, cause);
   Chart chart;
   const bool torque = stretch.channel >= 3;
-  chart.yTitle = Say::tr("Error in %1 [%2]").arg(channelText(static_cast<int>(stretch.channel)), torque ? "N m" : "N");
+  const ShownUnit unit = wrenchUnit(torque);
+  chart.yTitle = Say::tr("Error in %1 [%2]").arg(channelText(static_cast<int>(stretch.channel)), unit.name);
   chart.xUnit = QStringLiteral("s");
-  chart.band = 2.0 * (torque ? report.noise.torque : report.noise.force);
-  chart.curves.push_back({Say::tr("before"), ChartCurve::Colour::before,
-                          pointsOf(report, cause.before.row(stretch.channel).transpose(), stretch.from, stretch.to),
-                          true});
-  chart.curves.push_back({Say::tr("after"), ChartCurve::Colour::after,
-                          pointsOf(report, cause.after.row(stretch.channel).transpose(), stretch.from, stretch.to),
-                          false});
+  chart.band = 2.0 * unit.scale * (torque ? report.noise.torque : report.noise.force);
+  chart.curves.push_back(
+      {Say::tr("before"), ChartCurve::Colour::before,
+       pointsOf(report, unit.scale * cause.before.row(stretch.channel).transpose(), stretch.from, stretch.to), true});
+  chart.curves.push_back(
+      {Say::tr("after"), ChartCurve::Colour::after,
+       pointsOf(report, unit.scale * cause.after.row(stretch.channel).transpose(), stretch.from, stretch.to), false});
   return chart;
 }
 
 Chart overlayChart(const DiagnosisReport& report, const DiagnosedCause& cause) {
   const auto stretch = telling(report, cause);
   const VectorXd measured = report.series.measured.row(stretch.channel).transpose();
+  const ShownUnit unit = wrenchUnit(stretch.channel >= 3);
   Chart chart;
-  chart.yTitle =
-      QStringLiteral("%1 [%2]").arg(channelText(static_cast<int>(stretch.channel)), stretch.channel >= 3 ? "N m" : "N");
+  chart.yTitle = QStringLiteral("%1 [%2]").arg(channelText(static_cast<int>(stretch.channel)), unit.name);
   chart.xTitle = Say::tr("Time [s]");
   const auto add = [&](const QString& name, ChartCurve::Colour colour, const VectorXd& y, bool dashed) {
-    chart.curves.push_back({name, colour, pointsOf(report, y, stretch.from, stretch.to), dashed});
+    chart.curves.push_back({name, colour, pointsOf(report, unit.scale * y, stretch.from, stretch.to), dashed});
   };
   add(Say::tr("measured"), ChartCurve::Colour::text, measured, false);
   add(Say::tr("old model"), ChartCurve::Colour::before, measured - cause.before.row(stretch.channel).transpose(), true);
@@ -565,8 +572,8 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
       "caption", card.frame));
   QString helps = Say::tr("record the same motion once more, without touching anything, and compare.");
   if (const Finding* seen = seenInReadings(report)) {
-    card.layout->addWidget(wrappedLabel(QString::fromStdString(seen->text), "caption", card.frame));
-    helps = QString::fromStdString(seen->remedy);
+    card.layout->addWidget(wrappedLabel(saidNow(seen->text), "caption", card.frame));
+    helps = saidNow(seen->remedy);
   }
   auto* row = new QHBoxLayout;
   row->addWidget(boldFirst(Say::tr("What helps:"), helps, card.frame), 1);
@@ -582,9 +589,9 @@ QWidget* makeCleanCard(const DiagnosisReport& report, QWidget* parent) {
   card.layout->addLayout(
       tagRow(makeVerdictTag(Say::tr("Model fits"), Light::measured, false, card.frame), {}, {}, card.frame));
   card.layout->addWidget(wrappedLabel(Say::tr("The remaining error is sensor noise."), "cardTitle", card.frame));
-  card.layout->addWidget(wrappedLabel(Say::tr("Error %1, noise floor %2; torque %3 N m.")
+  card.layout->addWidget(wrappedLabel(Say::tr("Error %1, noise floor %2; torque %3.")
                                           .arg(newtonText(report.baseline.force), newtonText(report.noise.force),
-                                               numberText(report.baseline.torque, 4)),
+                                               torqueText(report.baseline.torque, 4)),
                                       "caption", card.frame));
   return card.frame;
 }

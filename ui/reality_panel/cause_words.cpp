@@ -1,17 +1,11 @@
 #include "ui/reality_panel/cause_words.h"
 
-#include <QCoreApplication>
-#include <algorithm>
-#include <cmath>
-
 #include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/wording/unseen.h"
 #include "core/diagnosis/wording/words.h"
-#include "ui/models/numbers.h"
 
 namespace heft {
 namespace {
-
-QString translated(const char* text) { return QCoreApplication::translate("heft::Causes", text); }
 
 /// As it is set in the window: with a real minus and a curved apostrophe.
 QString typeset(const std::string& words) {
@@ -57,27 +51,7 @@ std::string causeMotion(const std::string& id) { return std::string(diagnosis::i
 
 QStringList couldNotBeSeen(const DiagnosisReport& report, int most) {
   QStringList out;
-  const auto add = [&](const char* id, const char* shown) {
-    for (const Smallest& s : report.smallest) {
-      if (s.cause != id || out.size() >= most || !std::isfinite(s.value) || !(s.value > 0.0)) continue;
-      const int decimals = std::clamp(static_cast<int>(std::ceil(1.0 - std::log10(s.value) - 1e-9)), 0, 5);
-      out << translated(shown).arg(
-          numberText(s.value, decimals) +
-          (s.unit == "deg" ? QStringLiteral("°") : QStringLiteral(" ") + QString::fromStdString(s.unit)));
-    }
-  };
-  add("payload_change", QT_TRANSLATE_NOOP("heft::Causes", "load changes under %1"));
-  add("cable_pull", QT_TRANSLATE_NOOP("heft::Causes", "cables softer than %1"));
-  add("time_offset", QT_TRANSLATE_NOOP("heft::Causes", "delays under %1"));
-  add("gravity_tilt", QT_TRANSLATE_NOOP("heft::Causes", "tilts under %1"));
-  add("bias_drift", QT_TRANSLATE_NOOP("heft::Causes", "drifts under %1"));
-  add("loose_mass", QT_TRANSLATE_NOOP("heft::Causes", "loose parts under %1"));
-  add("sensor_rotation", QT_TRANSLATE_NOOP("heft::Causes", "a sensor turned by less than %1"));
-  add("low_pass_lag", QT_TRANSLATE_NOOP("heft::Causes", "smoothing under %1"));
-  add("gain_error", QT_TRANSLATE_NOOP("heft::Causes", "wrong gains under %1"));
-  add("joint_offset", QT_TRANSLATE_NOOP("heft::Causes", "joint angles off by less than %1"));
-  add("constant_pull", QT_TRANSLATE_NOOP("heft::Causes", "steady pulls under %1"));
-  add("lever_arm", QT_TRANSLATE_NOOP("heft::Causes", "a sensor misplaced by less than %1"));
+  for (const std::string& phrase : couldNotBeSeen(report.smallest, most)) out << typeset(phrase);
   return out;
 }
 

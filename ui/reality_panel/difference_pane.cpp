@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "ui/models/numbers.h"
+#include "ui/models/units.h"
 #include "ui/reality_panel/cause_card.h"
 #include "ui/reality_panel/cause_words.h"
 #include "ui/reality_panel/difference_traces.h"
@@ -270,18 +271,20 @@ void DifferencePane::showCurves() {
   if (report_) {
     const int c = channel_->currentIndex();
     const auto& s = report_->series;
+    const ShownUnit unit = wrenchUnit(c >= 3);
     const diagnosis::Wrenches before = leftOver(false), after = leftOver(!secret_);
     const double nan = std::nan("");
     for (Eigen::Index n = 0; n < std::min(s.time.size(), before.cols()); ++n) {
       const bool judged = s.judged[static_cast<std::size_t>(n)];
       curves.time.push_back(s.time(n));
-      curves.measured.push_back(s.measured(c, n));
-      curves.without.push_back(judged ? s.measured(c, n) - before(c, n) : nan);
-      curves.with.push_back(judged && !secret_ ? s.measured(c, n) - after(c, n) : nan);
+      curves.measured.push_back(unit.scale * s.measured(c, n));
+      curves.without.push_back(judged ? unit.scale * (s.measured(c, n) - before(c, n)) : nan);
+      curves.with.push_back(judged && !secret_ ? unit.scale * (s.measured(c, n) - after(c, n)) : nan);
     }
-    curves.noise = 2.0 * (c < 3 ? report_->noise.force : report_->noise.torque);
+    curves.noise = 2.0 * unit.scale * (c < 3 ? report_->noise.force : report_->noise.torque);
     curves.channel = channelText(c);
-    curves.unit = c < 3 ? QStringLiteral("N") : QStringLiteral("N m");
+    curves.unit = unit.name;
+    curves.decimals = c < 3 ? 3 : 4 + unit.decimals;
     if (const DiagnosedCause* one = cause(); one && !secret_)
       if (const CauseParameter* delay = findParameter(one->parameters, "delay"); delay && one->id == "time_offset")
         curves.delay = 1e-3 * delay->value;
@@ -293,16 +296,19 @@ void DifferencePane::showCurves() {
 Chart DifferencePane::frequencyChart(bool torque) const {
   const auto spectrum = diagnosis::spectrumOf(report_->series, torque);
   Chart chart;
-  chart.yTitle = torque ? tr("Torque left over [N m/√Hz]") : tr("Force left over [N/√Hz]");
+  const ShownUnit unit = wrenchUnit(torque);
+  chart.yTitle = (torque ? tr("Torque left over [%1/√Hz]") : tr("Force left over [%1/√Hz]")).arg(unit.name);
   chart.xTitle = tr("Frequency [Hz]");
   chart.logX = chart.logY = true;
   addNoise(chart, *report_, spectrum, torque);
+  chart.band *= unit.scale;
+  for (QPointF& point : chart.floor) point.ry() *= unit.scale;
   chart.nothing = tr("No segment is long enough to tell frequencies.");
   for (const bool after : {false, true}) {
     if (after && secret_) continue;
     QVector<QPointF> points;
     for (Eigen::Index i = 0; i < spectrum.frequency.size(); ++i)
-      points.push_back({spectrum.frequency(i), (after ? spectrum.after : spectrum.before)(i)});
+      points.push_back({spectrum.frequency(i), unit.scale * (after ? spectrum.after : spectrum.before)(i)});
     chart.curves.push_back({after ? tr("with the causes") : tr("without"),
                             after ? ChartCurve::Colour::after : ChartCurve::Colour::before, points, !after});
   }
@@ -313,15 +319,15 @@ Chart DifferencePane::motionChart(bool after) const {
   Chart chart;
   const int c = channel_->currentIndex();
   const auto& s = report_->series;
-  chart.yTitle =
-      (after ? tr("With the causes: %1 [%2]") : tr("Without: %1 [%2]")).arg(channelText(c), c < 3 ? "N" : "N m");
-  chart.band = 2.0 * (c < 3 ? report_->noise.force : report_->noise.torque);
+  const ShownUnit unit = wrenchUnit(c >= 3);
+  chart.yTitle = (after ? tr("With the causes: %1 [%2]") : tr("Without: %1 [%2]")).arg(channelText(c), unit.name);
+  chart.band = 2.0 * unit.scale * (c < 3 ? report_->noise.force : report_->noise.torque);
   chart.nothing = tr("Nothing to compare with.");
   const QString id = witness_->currentData().toString();
   VectorXd value;
   if (id == kOwnRate) {
-    value = rateOf(s.time, s.before.row(c).transpose());
-    chart.xTitle = QStringLiteral("%1 [%2]").arg(witness_->currentText(), c < 3 ? "N/s" : "N m/s");
+    value = unit.scale * rateOf(s.time, s.before.row(c).transpose());
+    chart.xTitle = QStringLiteral("%1 [%2/s]").arg(witness_->currentText(), unit.name);
   } else {
     const auto witness = std::find_if(witnesses_.begin(), witnesses_.end(),
                                       [&](const auto& w) { return QString::fromStdString(w.id) == id; });
@@ -343,7 +349,8 @@ Chart DifferencePane::motionChart(bool after) const {
   double nearest = 0.05;  // [s] The blocks' own distance, and a little more
   for (Eigen::Index n = 0; n < std::min({s.time.size(), value.size(), left.cols()}); n += 2) {
     const bool judged = s.judged[static_cast<std::size_t>(n)];
-    points.push_back(judged ? QPointF(value(n) + aside(n), left(c, n)) : QPointF(std::nan(""), std::nan("")));
+    points.push_back(judged ? QPointF(value(n) + aside(n), unit.scale * left(c, n))
+                            : QPointF(std::nan(""), std::nan("")));
     if (!judged) continue;
     // One scale for both pictures.
     chart.yLow = std::min(chart.yLow, without(c, n));

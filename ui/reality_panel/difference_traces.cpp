@@ -220,7 +220,7 @@ void DifferenceTraces::drawPointer(QPainter& p, const std::array<Lane, 2>& lanes
   const Theme& t = theme();
   p.setPen(QPen(t.text3, 1, Qt::DotLine));
   p.drawLine(QPointF(pointer + 0.5, lanes[0].area.top()), QPointF(pointer + 0.5, lanes[1].area.bottom()));
-  const int decimals = curves_.unit == QLatin1String("N") ? 3 : 4;
+  const int decimals = curves_.decimals;
   const QString names[] = {tr("measured"), tr("without"), tr("with the causes"), tr("left over without"),
                            tr("left over with")};
   QStringList left{axis_->poses() ? tr("pose") : tr("time")},

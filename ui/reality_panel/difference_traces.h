@@ -13,10 +13,11 @@ namespace heft {
 /// All of one length; NaN where nothing is compared.
 struct DifferenceCurves {
   QVector<double> time;                     ///< [s], rising
-  QVector<double> measured, without, with;  ///< [N] or [N m]
+  QVector<double> measured, without, with;  ///< [unit]
   double noise = 0.0;                       ///< Half height of the noise band: two deviations of the sensor
   double delay = 0.0;                       ///< [s] The readings come so much later than the motion; 0: none is drawn
   QString channel, unit;                    ///< "force x", "N"
+  int decimals = 3;                         ///< Of the numbers at the pointer
   double value(int curve, int at) const;    ///< 0 measured, 1 without, 2 with, 3 and 4 what these two leave over
 };
 

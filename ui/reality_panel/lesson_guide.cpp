@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QMenu>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -59,8 +60,12 @@ void LessonGuide::begin(const Lesson& lesson) {
   answered_.reset();
   // A name of its own each time: a file that is open already would not be read again.
   QDir().mkpath(practiceFolder());
+  QString name = QString::fromStdString(lesson.title.in("en")).toLower();
+  name.replace(QRegularExpression(QStringLiteral("[^a-z0-9]+")), QStringLiteral("-"));
   for (int k = 1; k == 1 || QFileInfo::exists(file_); ++k)
-    file_ = QDir(practiceFolder()).absoluteFilePath(QStringLiteral("lesson-%1.csv").arg(k));
+    file_ = QDir(practiceFolder())
+                .absoluteFilePath(QStringLiteral("lesson-%1%2.csv")
+                                      .arg(name.left(60), k == 1 ? QString() : QStringLiteral("-%1").arg(k)));
   knobs_->setOn(false);
   setStep(0);
   jobs_.start(
@@ -162,7 +167,7 @@ void LessonGuide::addTo(QVBoxLayout* column, QWidget* content) {
     if (answered_) {
       const Lesson::Answer& chosen = lesson_->answers[static_cast<std::size_t>(*answered_)];
       const Card card = makeCard(chosen.right ? "cardSuggested" : "cardLook", content);
-      card.layout->addWidget(styledLabel(chosen.right ? tr("Yes.") : tr("Look once more."), "sectionTitle", content));
+      card.layout->addWidget(styledLabel(chosen.right ? tr("Right.") : tr("Look once more."), "sectionTitle", content));
       card.layout->addWidget(wrappedLabel(wordsOf(chosen.because), "body", content));
       column->addWidget(card.frame);
     }

@@ -9,7 +9,8 @@
 #include <cmath>
 
 #include "core/motion/motion.h"
-#include "ui/models/numbers.h"
+#include "ui/models/said_now.h"
+#include "ui/models/units.h"
 #include "ui/reality_panel/cause_words.h"
 #include "ui/theme/icons.h"
 
@@ -50,8 +51,7 @@ Eigen::Index tellingChannel(const ReadingCurves& curves) {
 Chart chartOf(const ReadingCurves& curves, Eigen::Index channel, bool poses) {
   Chart chart;
   chart.yTitle =
-      ReadingWords::tr("Error in %1 [%2]")
-          .arg(channelText(static_cast<int>(channel)), channel >= 3 ? QStringLiteral("N m") : QStringLiteral("N"));
+      ReadingWords::tr("Error in %1 [%2]").arg(channelText(static_cast<int>(channel)), wrenchUnit(channel >= 3).name);
   if (poses) {
     chart.xTitle = ReadingWords::tr("Pose");
   } else {
@@ -60,7 +60,8 @@ Chart chartOf(const ReadingCurves& curves, Eigen::Index channel, bool poses) {
   const auto add = [&](const QString& name, const conventions::LeftOver& left, ChartCurve::Colour colour, bool dashed) {
     QVector<QPointF> points;
     for (std::size_t k = 0; k < left.time.size(); ++k)
-      points.push_back({left.time[k], left.left(channel, static_cast<Eigen::Index>(k))});
+      points.push_back(
+          {left.time[k], wrenchUnit(channel >= 3).scale * left.left(channel, static_cast<Eigen::Index>(k))});
     chart.curves.push_back({name, colour, points, dashed});
   };
   add(ReadingWords::tr("as stated"), curves.stated, ChartCurve::Colour::before, true);
@@ -80,9 +81,8 @@ void addCurves(QVBoxLayout* column, const ReadingCurves& curves, bool poses, QWi
     chart->setAccessibleName(ReadingWords::tr("What a rigid tool leaves unexplained, as stated and read so"));
     column->addWidget(chart);
   } else if (curves.stated.mass < 0.0) {
-    column->addWidget(
-        wrappedLabel(ReadingWords::tr("As stated, the tool would weigh %1 kg.").arg(numberText(curves.stated.mass, 2)),
-                     "body", parent));
+    column->addWidget(wrappedLabel(
+        ReadingWords::tr("As stated, the tool would weigh %1.").arg(massText(curves.stated.mass, 2)), "body", parent));
   }
 }
 
@@ -135,9 +135,9 @@ QWidget* makeReadingCard(const DiagnosisReport& report, const DiagnosedCause& ca
   if (!state.applied) {
     for (const auto& tie : mistake.ties)
       card.layout->addWidget(said(ReadingWords::tr("Fits as well:"),
-                                  tiedWords(QString::fromStdString(tie.sentence), tie.payload), card.frame));
+                                  tiedWords(saidNow(tie.sentence), tie.payload), card.frame));
     if (mistake.tied && !mistake.decides.empty())
-      card.layout->addWidget(said(ReadingWords::tr("To decide:"), QString::fromStdString(mistake.decides), card.frame));
+      card.layout->addWidget(said(ReadingWords::tr("To decide:"), saidNow(mistake.decides), card.frame));
     card.layout->addWidget(
         said(ReadingWords::tr("At the driver:"), QString::fromStdString(mistake.check()), card.frame));
   }

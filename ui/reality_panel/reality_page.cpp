@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/base/said_again.h"
 #include "core/diagnosis/correction/check_on_other.h"
 #include "ui/models/numbers.h"
 #include "ui/reality_panel/cause_card.h"
@@ -232,7 +233,7 @@ void addNoticed(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& rep
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     if (finding.severity != Severity::info) row->addWidget(new LightIcon(Light::look, 16, parent), 0, Qt::AlignTop);
-    const std::string said = errorAt({}, finding.text, finding.remedy).message;
+    const std::string said = errorAt({}, sayAgain(finding.text), sayAgain(finding.remedy)).message;
     QLabel* text = wrappedLabel(QString::fromStdString(said), "caption", parent);
     text->setProperty("role", "noticed");
     row->addWidget(text, 1);

@@ -147,17 +147,18 @@ void WhatIfPane::showCurves(const WhatIfState& calm, const WhatIfState& state) {
   const Eigen::Index stride = std::max<Eigen::Index>(1, (state.time.size() + kMostPoints - 1) / kMostPoints);
   for (int kind = 0; kind < 2; ++kind) {
     Chart chart;
-    chart.yTitle = kind == 0 ? tr("Force left over [N]") : tr("Torque left over [N m]");
+    const ShownUnit unit = wrenchUnit(kind == 1);
+    chart.yTitle = (kind == 0 ? tr("Force left over [%1]") : tr("Torque left over [%1]")).arg(unit.name);
     chart.xUnit = QStringLiteral("s");
     // Nine of ten samples of one channel, and a scale that stays while little is left.
-    chart.band = kLeavesItsInterval * (kind == 0 ? calm.force : calm.torque);
+    chart.band = kLeavesItsInterval * unit.scale * (kind == 0 ? calm.force : calm.torque);
     chart.yHigh = 4.0 * chart.band;
     chart.yLow = -chart.yHigh;
     for (int c = 0; c < 3; ++c) {
       QVector<QPointF> points;
       points.reserve(static_cast<int>(state.time.size() / stride) + 1);
       for (Eigen::Index n = 0; n < state.time.size(); n += stride)
-        points.push_back({state.time(n), state.left(3 * kind + c, n)});
+        points.push_back({state.time(n), unit.scale * state.left(3 * kind + c, n)});
       chart.curves.push_back({QString(QChar('x' + c)), colours[c], std::move(points), false});
     }
     charts_[static_cast<std::size_t>(kind)]->setChart(std::move(chart), kind == 0);
@@ -176,9 +177,9 @@ void WhatIfPane::showVerdict(const WhatIf& whatIf, const WhatIfState& calm, cons
                             : tr("Nobody would see it in this motion, and it does no harm."));
     return;
   }
-  verdict_->setText(tr("It would be seen: %1 N and %2 N m are left over, %3 N and %4 N m without it.")
-                        .arg(numberText(state.force, 3), numberText(state.torque, 4), numberText(calm.force, 3),
-                             numberText(calm.torque, 4)));
+  verdict_->setText(tr("It would be seen: %1 N and %2 are left over, %3 N and %4 without it.")
+                        .arg(numberText(state.force, 3), torqueText(state.torque, 4), numberText(calm.force, 3),
+                             torqueText(calm.torque, 4)));
   if (!state.lookAlike) return;
   const Knob& other = whatIf.knobs()[state.lookAlike->knob];
   const QString share = numberText(100.0 * state.lookAlike->share, 0);

@@ -138,10 +138,14 @@ QString entryPart(Workspace& workspace) {
 QString proofPart(const Workspace& workspace, const EstimateReport& report) {
   const auto text = describeProof(workspace.session().proof, &report.payload);
   if (!text) return {};
-  QString out = heading(Words::tr("Proof")) + QStringLiteral("<p><b>%1</b></p>\n").arg(escaped(text->headline));
+  QString out = heading(Words::tr("Proof")) +
+                QStringLiteral("<p><b>%1</b></p>\n").arg(escaped(QString::fromStdString(text->headline)));
   if (text->outdated) out += paragraph(Words::tr("It is of other numbers than these."));
-  for (const auto& reason : text->reasons) out += paragraph((reason.text + ' ' + reason.remedy).trimmed());
-  return out + paragraph(text->facts.join(' '));
+  for (const auto& reason : text->reasons)
+    out += paragraph(QString::fromStdString(reason.text + ' ' + reason.remedy).trimmed());
+  QStringList facts;
+  for (const std::string& fact : text->facts) facts << QString::fromStdString(fact);
+  return out + paragraph(facts.join(' '));
 }
 
 QString marksPart(const Workspace& workspace) {

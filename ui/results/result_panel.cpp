@@ -285,7 +285,7 @@ void ResultPanel::addFindings(QVBoxLayout* column, const std::vector<FindingText
   using Leads = FindingText::Leads;
   const auto leadTo = [&](Leads where) {
     return std::any_of(findings.begin(), findings.end(), [&](const FindingText& finding) {
-      return finding.leads == where && (finding.doubt || where == Leads::shape);
+      return finding.leads == where && (finding.doubt || where == Leads::shape || where == Leads::object);
     });
   };
   const auto addButton = [&](const QString& text, const char* role, void (ResultPanel::*wanted)()) {
@@ -296,6 +296,7 @@ void ResultPanel::addFindings(QVBoxLayout* column, const std::vector<FindingText
     card.layout->addWidget(look, 0, Qt::AlignRight);
   };
   if (leadTo(Leads::shape)) addButton(tr("Check the shape"), "shape", &ResultPanel::shapeWanted);
+  if (leadTo(Leads::object)) addButton(tr("Weigh what was picked up"), "weighObject", &ResultPanel::objectWanted);
   if (leadTo(Leads::realityCheck)) {
     addButton(tr("Show the cause"), "cause", &ResultPanel::causeWanted);
   } else if (leadTo(Leads::cause)) {
@@ -364,7 +365,9 @@ void ResultPanel::addKnown(QVBoxLayout* column, const std::vector<DetailText>& k
 
 void ResultPanel::addDetails(QVBoxLayout* column, const std::vector<DetailText>& details) {
   column->addSpacing(4);
-  column->addWidget(styledLabel(tr("Details"), "sectionTitle", content()));
+  QLabel* title = styledLabel(tr("Details"), "sectionTitle", content());
+  title->setProperty("role", "details");
+  column->addWidget(title);
   addDetailRows(column, details, content());
   auto* copy = new QPushButton(tr("Copy the details"), content());
   copy->setObjectName("copyDetails");

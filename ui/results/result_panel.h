@@ -36,6 +36,8 @@ class ResultPanel : public PanelPage {
   void shapeWanted();
   void methodsWanted();
   void knownWanted();
+  /// Weigh what was picked up or put down.
+  void objectWanted();
 
  private:
   void addMass(QVBoxLayout* column, const ResultText& result);

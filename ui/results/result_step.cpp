@@ -3,6 +3,9 @@
 #include <QAction>
 #include <QFileInfo>
 #include <QMenu>
+#include <QScrollArea>
+#include <QTimer>
+#include <algorithm>
 
 #include "core/estimation/comparison.h"
 #include "ui/controller/only_child.h"
@@ -15,6 +18,7 @@
 #include "ui/results/entry_card.h"
 #include "ui/results/known_values.h"
 #include "ui/results/method_pane.h"
+#include "ui/results/object_card.h"
 #include "ui/results/result_panel.h"
 
 namespace heft {
@@ -23,9 +27,16 @@ ResultStep::ResultStep(const StudioParts& parts)
     : StepPanel(parts, new ResultPanel),
       panel_(static_cast<ResultPanel*>(page())),
       methods_(new MethodPane),
-      entry_(new EntryCard(parts, this)) {
+      entry_(new EntryCard(parts, this)),
+      object_(new ObjectCard(parts, this)) {
   parts.followJobs(&jobs_);
-  panel_->setFurther([this](QVBoxLayout* column, QWidget* content) { entry_->addTo(column, content); });
+  panel_->setFurther([this](QVBoxLayout* column, QWidget* content) {
+    entry_->addTo(column, content);
+    object_->addTo(column, content);
+  });
+  connect(object_, &ObjectCard::changed, this, &ResultStep::refresh);
+  connect(object_, &ObjectCard::answered, this, [this] { reveal("object"); });
+  connect(panel_, &ResultPanel::objectWanted, this, &ResultStep::weighObject);
   connect(entry_, &EntryCard::changed, this, &ResultStep::refresh);
   connect(panel_, &ResultPanel::recordWanted, this, [this] { this->parts().goTo(Step::record); });
   connect(panel_, &ResultPanel::causeWanted, this, [this] { this->parts().goTo(Step::realityCheck); });
@@ -107,10 +118,20 @@ void ResultStep::addActions(const StudioMenus& menus) {
   action->setShortcut(QKeySequence("Ctrl+M"));
   menus.tools->addAction(tr("Compare with a scale or &CAD …"), this, &ResultStep::askKnown);
   menus.tools->addAction(tr("What the controller is &set to …"), entry_, &EntryCard::ask);
+  menus.tools->addAction(tr("Something &picked up in this recording"), this, [this] {
+    parts().goTo(Step::result);
+    weighObject();
+  });
+  menus.tools->addAction(tr("Something carried: compare &without it …"), this, [this] {
+    parts().goTo(Step::result);
+    object_->askMinus();
+    reveal("object");
+  });
 }
 
 std::optional<Result<bool>> ResultStep::obey(const QStringList& words) {
   if (auto obeyed = entry_->obey(words)) return obeyed;
+  if (auto obeyed = object_->obey(words)) return obeyed;
   if (words[0] != "compare" || words.size() != 1) return std::nullopt;
   if (!workspace().opened()) return Result<bool>(Error{tr("compare needs an open recording.").toStdString()});
   compare();
@@ -121,7 +142,29 @@ void ResultStep::entered() { entry_->setShown(true); }
 
 void ResultStep::left() { entry_->setShown(false); }
 
-void ResultStep::setDetailsShown(bool shown) { panel_->setDetailsShown(shown); }
+void ResultStep::setDetailsShown(bool shown) {
+  const bool opens = shown && !panel_->detailsShown();
+  panel_->setDetailsShown(shown);
+  if (opens) reveal("details");
+}
+
+void ResultStep::weighObject() {
+  object_->findPickedUp();
+  reveal("object");
+}
+
+void ResultStep::reveal(const char* role) {
+  // The page has no places for its parts until it is laid out.
+  QTimer::singleShot(0, this, [this, role = QString(role)] {
+    auto* scroll = panel_->findChild<QScrollArea*>();
+    for (QWidget* part : panel_->content()->findChildren<QWidget*>()) {
+      if (!scroll || part->property("role").toString() != role || part->isHidden()) continue;
+      panel_->content()->layout()->activate();
+      const int below = part->mapTo(panel_->content(), QPoint()).y();
+      return panel_->setScrollPosition(std::max(0, below - 12));
+    }
+  });
+}
 
 void ResultStep::refresh() {
   const auto opened = workspace().opened();

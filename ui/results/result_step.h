@@ -9,6 +9,7 @@ namespace heft {
 
 class EntryCard;
 class MethodPane;
+class ObjectCard;
 class ResultPanel;
 
 class ResultStep : public StepPanel {
@@ -31,6 +32,9 @@ class ResultStep : public StepPanel {
 
  private:
   void refresh();
+  /// Scrolls to what has this role, once it stands where it belongs.
+  void reveal(const char* role);
+  void weighObject();
   void endComparison();
   void askKnown();
   KnownPayload known() const;
@@ -38,6 +42,7 @@ class ResultStep : public StepPanel {
   ResultPanel* panel_;
   MethodPane* methods_;
   EntryCard* entry_;
+  ObjectCard* object_;
   JobRunner jobs_;
   bool comparing_ = false;
 };

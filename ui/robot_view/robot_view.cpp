@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "ui/models/numbers.h"
@@ -55,6 +56,10 @@ bool showsSensor(const RobotModel& robot, const RobotLook& look) {
     return robot.links()[part.link].name.find("sensor") != std::string::npos;
   });
 }
+
+/// The path of a longer recording [s] is a ball that shows nothing: it is drawn from so long before the instant shown
+/// to so long after it [s], anew with each step [s].
+constexpr double kWholePath = 60.0, kPathReach = 15.0, kPathStep = 2.0;
 
 /// Thickness of the sensor's body [m]: what the mount leaves between its parent and S, kept in a plausible range.
 double sensorBodyLength(const SensorMount& mount) { return std::clamp(mount.xyz.norm(), 0.012, 0.045); }
@@ -357,13 +362,17 @@ void RobotView::showTime(double time) {
   }
   if (time == time_) return;
   time_ = time;
+  if (std::abs(time_ - pathAbout_) > kPathStep && recording_ && recording_->duration() > kWholePath) rebuildPath();
   updateInstant();
 }
 
 void RobotView::rebuildPath() {
   std::vector<PathSample> samples;
+  pathAbout_ = time_;
   if (track_) {
-    for (const auto& point : track_->path(1500)) {
+    const bool whole = recording_->duration() <= kWholePath;
+    const double reach = whole ? std::numeric_limits<double>::infinity() : kPathReach;
+    for (const auto& point : track_->path(time_ - reach, time_ + reach, 1500)) {
       samples.push_back({point.p_BSo_B, report_ ? labelAt(report_->segments, point.time) : MarkLabel::free});
     }
   }

@@ -167,6 +167,7 @@ class RobotView : public QWidget {
   std::shared_ptr<const EstimateReport> report_;
   std::vector<Vector3d> sweep_;  ///< Where arm and tool get in this recording, B axes [m].
   double time_ = 0.0;
+  double pathAbout_ = 0.0;  ///< [s] The instant that the path of a long recording is shown about
   bool labelsShown_ = true;
   Preset preset_ = Preset::overview;
   Isometry3d X_BS_ = Isometry3d::Identity();

@@ -75,13 +75,16 @@ Vector6d SceneTrack::wrenchAt(double time) const {
   return recording_->wrench.row(place.before + (place.share > 0.5 ? 1 : 0)).transpose();
 }
 
-std::vector<SceneTrack::PathPoint> SceneTrack::path(int most) const {
+std::vector<SceneTrack::PathPoint> SceneTrack::path(double from, double to, int most) const {
   std::vector<PathPoint> points;
   if (!positionKnown() || poses_ || most < 2) return points;
-  const Eigen::Index rows = recording_->rows();
+  const double* const times = recording_->time.data();
+  const double* const end = times + recording_->rows();
+  const Eigen::Index first = std::lower_bound(times, end, from) - times;
+  const Eigen::Index rows = std::upper_bound(times, end, to) - times - first;
   const Eigen::Index count = std::min<Eigen::Index>(rows, most);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const Eigen::Index row = count > 1 ? k * (rows - 1) / (count - 1) : 0;
+    const Eigen::Index row = first + (count > 1 ? k * (rows - 1) / (count - 1) : 0);
     points.push_back({sensorAtRow(row).translation(), recording_->time(row)});
   }
   return points;

@@ -28,8 +28,8 @@ class SceneTrack {
     Vector3d p_BSo_B;
     double time;
   };
-  /// At most `most` points evenly over the recording; empty where the position is not known.
-  std::vector<PathPoint> path(int most) const;
+  /// At most `most` points evenly over the samples from `from` to `to` [s]; empty where the position is not known.
+  std::vector<PathPoint> path(double from, double to, int most) const;
 
  private:
   struct Place {

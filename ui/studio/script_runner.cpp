@@ -41,6 +41,8 @@ std::string ScriptRunner::help() {
          "  controller MASS [at X,Y,Z] | controller FILE | controller off\n"
          "                                    what the controller is set to: kg, mm from the flange; or a payload "
          "file\n"
+         "  object picked-up | object minus FILE | object off\n"
+         "                                    what the tool carries: from this recording, or by one without it\n"
          "  diagnose                          look for causes (reality check)\n"
          "  apply CAUSE | takeback CAUSE      a correction, by the cause's name in files\n"
          "  check FILE                        the causes found, on another open recording\n"

@@ -8,6 +8,7 @@
 #include <QVariant>
 
 #include "core/base/remedy.h"
+#include "core/base/said_again.h"
 #include "core/base/say.h"
 #include "ui/controller/autosave.h"
 #include "ui/main_window/main_window.h"
@@ -30,6 +31,8 @@ QStringList Studio::languages() { return {QStringLiteral("en"), QStringLiteral("
 Studio::Studio(QApplication& application, const StudioOptions& options) : application_(application), options_(options) {
   initialiseTexts();
   setRemedyWords(windowRemedy);
+  constexpr std::size_t kRemembered = 5000;  // Far more than one session keeps of what core found
+  rememberSentences(kRemembered);
   QString theme = options_.theme, language = options_.language;
   if (!options_.offscreen) {
     const QSettings settings;
@@ -49,6 +52,7 @@ Studio::Studio(QApplication& application, const StudioOptions& options) : applic
 
 Studio::~Studio() {
   setTranslator({});
+  rememberSentences(0);
   setRemedyWords({});
 }
 

@@ -87,7 +87,7 @@ class PanelContent : public QWidget {
   QStringList texts_;
 };
 
-/// Where both buttons have no room beside each other, the second one is its icon alone.
+/// Where both buttons have no room beside each other, the second one is its icon alone or, without one, stands below.
 class FootFitter : public QObject {
  public:
   FootFitter(QWidget* foot, QPushButton* main, QPushButton* second)
@@ -99,8 +99,15 @@ class FootFitter : public QObject {
   bool eventFilter(QObject*, QEvent* event) override {
     if (event->type() != QEvent::Resize && event->type() != QEvent::LayoutRequest) return false;
     if (!second_->text().isEmpty()) whole_ = second_->text();
-    if (second_->isHidden() || second_->icon().isNull() || main_->isHidden()) return false;
-    const int gaps = 2 * 20 + 10, words = QFontMetrics(second_->font()).horizontalAdvance(whole_);
+    const int gaps = 2 * 20 + 10;
+    const bool both = !second_->isHidden() && !main_->isHidden(), stacks = both && second_->icon().isNull();
+    auto* row = static_cast<QBoxLayout*>(foot_->layout());
+    const auto way = stacks && main_->sizeHint().width() + second_->sizeHint().width() + gaps > foot_->width()
+                         ? QBoxLayout::BottomToTop
+                         : QBoxLayout::LeftToRight;
+    if (row->direction() != way) row->setDirection(way);
+    if (!both || stacks) return false;
+    const int words = QFontMetrics(second_->font()).horizontalAdvance(whole_);
     const int icon = second_->sizeHint().width() - (second_->text().isEmpty() ? 0 : words);
     const bool fits = main_->sizeHint().width() + icon + words + gaps <= foot_->width();
     if (fits == !second_->text().isEmpty()) return false;

@@ -54,11 +54,14 @@ class LaneTicker : public QCPAxisTicker {
   }
   double getTickStep(const QCPRange& range) override {
     range_ = range;
-    // About zero with little height: one number above and one below it, as far out as a number has room.
+    // About zero with little height, or where the usual step finds no room: one number above and one below it, as far
+    // out as a number has room.
     constexpr double kLow = 56.0;  // [px]
     if (range.lower < 0.0 && range.upper > 0.0 && std::abs(range.lower + range.upper) < 1e-6 * range.size() &&
-        lane_->height() < kLow && lane_->height() > 4.0 * kHalfNumber) {
+        lane_->height() > 4.0 * kHalfNumber) {
       const double most = (1.0 - 2.0 * (kHalfNumber + 0.5) / lane_->height()) * range.upper * scale_;
+      if (lane_->height() >= kLow)
+        if (const double usual = QCPAxisTicker::getTickStep(range); usual * scale_ <= most) return mTickStep_ = usual;
       const double decade = std::pow(10.0, std::floor(std::log10(most)));
       constexpr double kApart = 10.0;  // [px] of numbers one above the other
       for (const double round : {8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.5, 1.2, 1.0}) {

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
+
+#include "core/base/said_again.h"
 
 namespace heft {
 namespace {
@@ -47,6 +50,46 @@ TEST_F(Said, AWrongTranslationGivesWayToEnglish) {
   speakGerman();
   EXPECT_EQ(heft::say("{} kg", 1.5), "1.5 kg") << "a place too many";
   EXPECT_EQ(heft::say("{} pieces", "4"), "4 pieces") << "a format that does not fit";
+}
+
+/// What is kept as text follows the language, alone, among other words, within another sentence, and out of a file.
+TEST_F(Said, WhatWasSaidIsSaidAgainInAnotherLanguage) {
+  rememberSentences(100);
+  const std::string english = heft::say("{:.1f} s of {} look touched.", 2.54, heft::say("the whole"));
+  const std::string kept = makingOf("rec.csv: " + english + " " + english).dump();
+  speakGerman();
+  const std::string german = "Von allem sehen 2,5 s berührt aus.";
+  EXPECT_EQ(sayAgain(english), german);
+  EXPECT_EQ(sayAgain("rec.csv: " + english + " Look at the whole."), "rec.csv: " + german + " Look at the whole.");
+  EXPECT_EQ(sayAgain(english + " " + english), german + " " + german);
+  EXPECT_EQ(sayAgain("nobody said this, ever"), "nobody said this, ever");
+  setTranslator({});
+  EXPECT_EQ(sayAgain(german), english) << "and back";
+  rememberSentences(0);
+  EXPECT_EQ(sayAgain(german), german);
+  EXPECT_TRUE(makingOf(english).is_null());
+  speakGerman();
+  EXPECT_EQ(sayFrom(nlohmann::json::parse(kept), "?"), "rec.csv: " + german + " " + german);
+}
+
+TEST_F(Said, OnlyTheLastSentencesAreRemembered) {
+  rememberSentences(3);
+  std::vector<std::string> texts;
+  for (const double seconds : {1.0, 2.0, 3.0, 4.0})
+    texts.push_back(heft::say("{:.1f} s of {} look touched.", seconds, "it"));
+  EXPECT_TRUE(makingOf(texts[0]).is_null());
+  for (int i = 1; i < 4; ++i) EXPECT_FALSE(makingOf(texts[static_cast<std::size_t>(i)]).is_null());
+  rememberSentences(0);
+}
+
+TEST_F(Said, DamagedMakingsGiveTheTextItself) {
+  for (const char* damaged :
+       {"null", "3", "\"x\"", "{}", R"({"template": 3, "values": []})", R"({"template": "{}", "values": []})",
+        R"({"template": "{:1000000000}", "values": [1]})", R"({"template": "{:.999}", "values": [1.5]})",
+        R"({"template": "{", "values": [1]})", R"({"template": "{:d}", "values": ["x"]})",
+        R"({"template": "{}", "values": [[[[[["deep"]]]]]]})", R"([{"template": "{}"}])",
+        R"({"template": "{}", "values": {"a": null}})"})
+    EXPECT_EQ(sayFrom(nlohmann::json::parse(damaged), "itself"), "itself") << damaged;
 }
 
 std::vector<std::string> placesOf(const std::string& text) {

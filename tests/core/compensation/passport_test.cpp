@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/compensation/passport_page.h"
 #include "tests/support/estimation_fixtures.h"
 #include "tests/support/random_tool.h"
 
@@ -28,7 +29,7 @@ PassportContent contentOf(const char* date) {
 }
 
 nlohmann::json passport(const EstimateReport& report, const char* date) {
-  auto made = passportOf(contentOf(date), report);
+  auto made = passportOf(contentOf(date), toJson(report), "result.json");
   if (!made) throw std::runtime_error(made.error().message);
   return *made;
 }
@@ -104,9 +105,42 @@ TEST(Passport, RefusesWhatIsNoneInOneSentence) {
   }
   PassportContent nameless = contentOf("2026-11-28");
   nameless.tool.clear();
-  EXPECT_FALSE(passportOf(nameless, report));
+  EXPECT_FALSE(passportOf(nameless, toJson(report), "result.json"));
   report.trust = Trust::none;
-  EXPECT_FALSE(passportOf(contentOf("2026-11-28"), report));
+  EXPECT_FALSE(passportOf(contentOf("2026-11-28"), toJson(report), "result.json"));
+}
+
+TEST(Passport, DamagedResultsAreRefusedByName) {
+  const nlohmann::json good = toJson(shortReport(kMarked, 8));
+  ASSERT_TRUE(passportOf(contentOf("2026-11-28"), good, "result.json"));
+  for (const char* key : {"schema", "payload", "std", "interval95", "identifiability"})
+    for (const nlohmann::json& instead : {nlohmann::json(), nlohmann::json("x"), nlohmann::json::array()}) {
+      nlohmann::json broken = good;
+      broken[key] = instead;
+      const auto made = passportOf(contentOf("2026-11-28"), broken, "result.json");
+      ASSERT_FALSE(made) << key << instead.dump();
+      EXPECT_NE(made.error().message.find("result.json"), std::string::npos) << made.error().message;
+    }
+}
+
+TEST(Passport, ThePageShowsNumbersInTheWantedUnits) {
+  nlohmann::json made = passport(shortReport(kMarked, 9), "2026-11-28");
+  const std::string page = passportPage(made);
+  for (const char* text :
+       {"Payload passport: Gripper 3", "2026-11-28, Heft test.", "<td>Mass</td><td>0.", " kg</td>", "Centre z",
+        "kg cm²", "measured", "A cable pulls with 2 N/m. It is taken out of the numbers.", "delays under 1 ms",
+        "These numbers were not proved on another recording."})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  PageUnits grams;
+  grams.mass = {"g", 1e3, -3};
+  EXPECT_NE(passportPage(made, grams).find(" g</td>"), std::string::npos);
+  Payload heavier = kMarked;
+  heavier.mass *= 1.05;
+  heavier.inertiaCom *= 1.05;
+  nlohmann::json next = passport(shortReport(heavier, 10), "2026-11-29");
+  next["since"] = toJson(*changeSince(made, "old.json", next));
+  EXPECT_NE(passportPage(next).find("The tool has changed, by more than chance."), std::string::npos);
+  EXPECT_NE(passportText(next).find("Since the passport of 2026-11-28: The tool has changed"), std::string::npos);
 }
 
 }  // namespace

@@ -1,10 +1,15 @@
 // The lessons that come with the program: what each says is what its recording shows.
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "core/base/json_file.h"
 #include "core/diagnosis/what_if.h"
+#include "core/diagnosis/wording/words.h"
 #include "core/estimation/uncertainty.h"
+#include "core/motion/motion.h"
 #include "core/simulation/lesson.h"
+#include "tests/support/random_tool.h"
 
 namespace heft {
 namespace {
@@ -111,6 +116,34 @@ TEST(Lessons, ASensorRotatedAboutTheLastJointIsItsZero) {
   EXPECT_EQ(t.alike(state), "joint_offset");
   EXPECT_GT(state.lookAlike->share, 0.99);
   EXPECT_EQ(t.whatIf.knobs()[t.knobOf("joint_offset")].parameter, "q7_offset");
+}
+
+/// Not even half a turn of the last joint, which decides against other rivals: what a sensor feels with a wrong zero of
+/// that joint is what a sensor feels that is rotated by as much, at every instant.
+TEST(Lessons, NoTurnOfTheLastJointTellsItsZeroFromARotatedSensor) {
+  const RobotModel& panda = RobotModel::panda();
+  SimulateOptions options;
+  options.motion = MotionKind::excitation;
+  options.duration = 12.0;
+  options.rateHz = 200.0;
+  options.seed = 9;
+  Recording recording =
+      simulate(panda, test::boxPayload(0.75, {0.05, 0.06, 0.09}, {0.0, 0.0, 0.06}), options)->recording;
+  const double end = recording.time(recording.rows() - 1), offset = 3.0 * std::numbers::pi / 180.0;
+  recording.dq.resize(0, 0);
+  for (Eigen::Index k = 0; k < recording.rows(); ++k)
+    recording.q(k, 6) += std::numbers::pi * std::pow(std::sin(0.5 * std::numbers::pi * recording.time(k) / end), 2);
+  Recording wrongZero = recording;
+  wrongZero.q.col(6).array() += offset;
+  const auto is = motionOf(recording, &panda, {}), seems = motionOf(wrongZero, &panda, {});
+  ASSERT_TRUE(is && seems);
+  ASSERT_GT(recording.q.col(6).maxCoeff() - recording.q.col(6).minCoeff(), 3.0);
+  const Matrix3d turned = Eigen::AngleAxisd(offset, Vector3d::UnitZ()).toRotationMatrix().transpose();
+  EXPECT_LT((turned * is->specificForce - seems->specificForce).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((turned * is->omega - seems->omega).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((turned * is->alpha - seems->alpha).cwiseAbs().maxCoeff(), 1e-9);
+  for (const char* cause : {"sensor_rotation", "joint_offset"})
+    EXPECT_NE(causeDecides(cause).find("No motion tells"), std::string::npos) << cause;
 }
 
 }  // namespace

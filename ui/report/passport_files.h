@@ -20,9 +20,6 @@ struct PassportParts {
 /// The newest passport of this tool among the JSON files of a folder, `except` aside; empty if there is none.
 QString newestPassport(const QString& folder, const QString& tool, const QString& except);
 
-/// The sheet of a heft.passport/1 that was made of `report`, as HTML.
-QString passportHtml(const std::string& passport, const EstimateReport& report);
-
 /// Writes NAME.pdf and NAME.json, where `file` is either of the two, compared with the passport `before`; empty: with
 /// none. Fails with one sentence and writes nothing where a file exists and is not to be replaced, where there is no
 /// result, or where `before` is no passport of this tool.

@@ -1,0 +1,42 @@
+#pragma once
+// "Something picked up?" under the result: what the tool carries, from this recording or from two.
+#include <QObject>
+#include <QStringList>
+#include <optional>
+
+#include "core/base/result.h"
+#include "ui/controller/carried_objects.h"
+#include "ui/steps/studio_parts.h"
+
+class QVBoxLayout;
+
+namespace heft {
+
+class ObjectCard : public QObject {
+  Q_OBJECT
+ public:
+  ObjectCard(const StudioParts& parts, QWidget* owner);
+
+  /// At the end of a page that is being built.
+  void addTo(QVBoxLayout* column, QWidget* content);
+  void findPickedUp();
+  void askMinus();
+  /// object picked-up | object minus FILE | object off
+  std::optional<Result<bool>> obey(const QStringList& words);
+
+ signals:
+  void changed();
+  /// After somebody asked, once; not when the answer follows another setting.
+  void answered();
+
+ private:
+  void addAnswer(QVBoxLayout* card, QWidget* content);
+  void tell(const Result<bool>& outcome);
+
+  StudioParts parts_;
+  QWidget* owner_;
+  CarriedObjects* objects_;
+  bool waiting_ = false;  ///< Somebody asked and has no answer yet.
+};
+
+}  // namespace heft
