@@ -1,6 +1,6 @@
-// Memory of the programs comes from mimalloc, in pages of 2 MB where the system has them, and what was freed is kept for
-// what is allocated next. A diagnosis allocates and frees matrices of megabytes all the time; where each comes from the
-// system anew, in pages of 4 kB that are zeroed one by one, that is a fifth of the time of a short one.
+// Memory of the programs comes from mimalloc, in pages of 2 MB where the system has them, and what was freed is kept
+// for what is allocated next. A diagnosis allocates and frees matrices of megabytes all the time; where each comes from
+// the system anew, in pages of 4 kB that are zeroed one by one, that is a fifth of the time of a short one.
 #include <mimalloc.h>
 
 namespace {

@@ -51,8 +51,8 @@ json truthJson(const SimulationTruth& truth, const SimulateArguments& options) {
           {"effects", effects}};
 }
 
-/// The setup file as this command writes it, but for the note's motion, seed and rate; null if a person wrote or changed
-/// it, or if it belongs to a real recording.
+/// The setup file as this command writes it, but for the note's motion, seed and rate; null if a person wrote or
+/// changed it, or if it belongs to a real recording.
 json asSimulated(const std::string& text) {
   static const std::regex note(std::string(kNote) + ": [a-z-]+, seed [0-9]+, [0-9.e+]+ Hz");
   json meta = json::parse(text, nullptr, false);

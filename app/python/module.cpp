@@ -224,7 +224,8 @@ EstimateOptions estimateOptions(const json& settings) {
   }
   if (settings.contains("shape")) {
     const json& shape = settings.at("shape");
-    out.shape = orRaise(shape.is_string() ? parseShape(shape.get<std::string>()) : shapeFromJson(shape, "shape", std::filesystem::current_path()));
+    out.shape = orRaise(shape.is_string() ? parseShape(shape.get<std::string>())
+                                          : shapeFromJson(shape, "shape", std::filesystem::current_path()));
     if (certainty) out.shape->certainty = *certainty;
   }
   if (settings.contains("mass")) {
@@ -392,16 +393,18 @@ void defineResults(py::module_& module) {
       .def_readonly("recording", &SimulatedRun::input)
       .def_readonly("truth_json", &SimulatedRun::truth);
   py::class_<Compensated>(module, "Compensated")
-      .def("json", [](const Compensated& self, const cli::Input& input) {
-        json result = toJson(self, input.recording);
-        result["findings"] = cli::toJson(self.findings);
-        return textOf(result);
-      })
-      .def("phases", [](const Compensated& self) {
-        std::vector<std::string> names;
-        for (const Phase phase : self.phase) names.emplace_back(toString(phase));
-        return names;
-      })
+      .def("json",
+           [](const Compensated& self, const cli::Input& input) {
+             json result = toJson(self, input.recording);
+             result["findings"] = cli::toJson(self.findings);
+             return textOf(result);
+           })
+      .def("phases",
+           [](const Compensated& self) {
+             std::vector<std::string> names;
+             for (const Phase phase : self.phase) names.emplace_back(toString(phase));
+             return names;
+           })
       .def("array", [](const py::object& self, const std::string& name) {
         const auto& compensated = self.cast<const Compensated&>();
         return name == "time" ? arrayOf(compensated.time, self) : arrayOf(compensated.wrench, self);

@@ -25,10 +25,10 @@ Vector6d scatterOf(const Eigen::Matrix<double, 6, Eigen::Dynamic>& samples);
 
 /// How far an estimate stays from readings that it has not seen, beside what the motion made of the payload.
 struct Unseen {
-  Vector6d left = Vector6d::Zero();  ///< Beyond noise, root mean square [N], [N m]
+  Vector6d left = Vector6d::Zero();   ///< Beyond noise, root mean square [N], [N m]
   Vector6d noise = Vector6d::Zero();  ///< Of averages over 80 ms, from how they scatter [N], [N m]
-  Vector6d load = Vector6d::Zero();  ///< Standard deviation of the predicted wrench [N], [N m]
-  double force = 0.0, torque = 0.0;  ///< The worst channel's `left` over the load of a channel of its kind
+  Vector6d load = Vector6d::Zero();   ///< Standard deviation of the predicted wrench [N], [N m]
+  double force = 0.0, torque = 0.0;   ///< The worst channel's `left` over the load of a channel of its kind
   double worst() const { return std::max(force, torque); }
 };
 Unseen unseenOver(const Prepared& prepared, const std::function<const SolverSolution&(Eigen::Index block)>& solutionOf);

@@ -13,9 +13,8 @@
 namespace heft {
 
 /// A CSV whose rows are handed to the system every fifth of a second and to the disk every second, by a thread of its
-/// own: a killed program loses at most that, and what is there ends with a whole row. The setup file is there before the
-/// first row. Without any row neither file stays.
-/// Not safe to use from several threads at once.
+/// own: a killed program loses at most that, and what is there ends with a whole row. The setup file is there before
+/// the first row. Without any row neither file stays. Not safe to use from several threads at once.
 class Recorder {
  public:
   /// Fails if a file exists (nothing is ever overwritten; but see GrowingFile, and a setup file that says the same will

@@ -110,8 +110,8 @@ class ThreadedSource : public LiveSource {
 ///   udp:[HOST:]PORT                  JSON objects in datagrams; without a host only from this machine
 ///   replay:FILE[?speed=N]            a recording, in real time
 ///   virtual:[SEED]                   a simulated Panda with a tool that the seed chooses, moving by itself
-/// `replayMeta`: the setup file of a recording that is replayed; empty: its own, if it exists. A replay's samples are in
-/// the plain form. `jointNames`: of the arm, from base to tip, where it is known; joints are then found by name.
+/// `replayMeta`: the setup file of a recording that is replayed; empty: its own, if it exists. A replay's samples are
+/// in the plain form. `jointNames`: of the arm, from base to tip, where it is known; joints are then found by name.
 /// `conventions`: which the samples keep, but for units that the names of numbers state. Fails with a sentence that
 /// lists these forms.
 Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address,

@@ -17,8 +17,8 @@ struct Biquad {
 /// Butterworth low-pass of even order by the bilinear transform, corner `cutoffHz` (-3 dB in one pass).
 std::vector<Biquad> butterworthLowPass(int order, double cutoffHz, double rateHz);
 
-/// Extends every channel at its ends by so many samples, mirrored through its end value (odd reflection), so that filters
-/// start without a jump in value or slope.
+/// Extends every channel at its ends by so many samples, mirrored through its end value (odd reflection), so that
+/// filters start without a jump in value or slope.
 Channels padded(const Channels& signal, Eigen::Index before, Eigen::Index after);
 inline Channels padded(const Channels& signal, Eigen::Index pad) { return padded(signal, pad, pad); }
 

@@ -142,8 +142,7 @@ class Smoother {
       // What would be left of less than half a stretch is done with this one.
       const Eigen::Index to = output_.size - from < instants + instants / 2 ? output_.size : from + instants;
       const Eigen::Index first = std::max<Eigen::Index>(0, output_.first + from * output_.stride - reach);
-      const Eigen::Index last =
-          std::min(signal.grid.size, output_.first + (to - 1) * output_.stride + reach + 1);
+      const Eigen::Index last = std::min(signal.grid.size, output_.first + (to - 1) * output_.stride + reach + 1);
       const Channels part = signal.rows(first, to == output_.size ? signal.grid.size : last);
       const Eigen::Index before = first == 0 ? pad : 0, after = first + part.rows() == signal.grid.size ? pad : 0;
       work(part, padded(part, before, after), first - before, from, to);
@@ -185,8 +184,8 @@ class Smoother {
   Output output_;
   SavitzkyGolay savitzkyGolay_;
   std::vector<Biquad> sections_;
-  std::array<VectorXd, 3> kernels_;  ///< Average over an output interval, and its derivatives
-  Eigen::Index pad_ = 0, settles_ = 0;       ///< Rows beyond the recording's ends, and beyond a stretch's
+  std::array<VectorXd, 3> kernels_;     ///< Average over an output interval, and its derivatives
+  Eigen::Index pad_ = 0, settles_ = 0;  ///< Rows beyond the recording's ends, and beyond a stretch's
 };
 
 /// Noise of each channel's samples, by their second differences, which smooth motion hardly reaches.
@@ -265,9 +264,8 @@ Result<bool> fromJoints(const Recording& recording, const RobotModel* robot, Smo
   const auto link = checkedJoints(recording, robot);
   if (!link) return link.error();
   const Isometry3d X_LS = poseFromXyzRpy(recording.meta.mount.xyz, recording.meta.mount.rpy);
-  const Derivatives d =
-      withReportedVelocity(smoother, {grid, recording.time, recording.q}, {grid, recording.time, recording.dq},
-                           heft::say("joint"), motion.findings);
+  const Derivatives d = withReportedVelocity(smoother, {grid, recording.time, recording.q},
+                                             {grid, recording.time, recording.dq}, heft::say("joint"), motion.findings);
   motion.q = d.value.transpose();
   motion.dq = d.first.transpose();
   motion.ddq = d.second.transpose();

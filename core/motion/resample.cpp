@@ -59,7 +59,9 @@ Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<
   const Eigen::Index n = time.size();
   Channels out(to - from, values.cols());
   // First sample at or after t, at least 1
-  Eigen::Index right = std::lower_bound(time.data(), time.data() + n, grid.start + static_cast<double>(from) / grid.rateHz) - time.data();
+  Eigen::Index right =
+      std::lower_bound(time.data(), time.data() + n, grid.start + static_cast<double>(from) / grid.rateHz) -
+      time.data();
   right = std::clamp<Eigen::Index>(right, 1, n - 1);
   for (Eigen::Index k = from; k < to; ++k) {
     const double t = std::min(grid.start + static_cast<double>(k) / grid.rateHz, time(n - 1));

@@ -39,6 +39,16 @@ PayloadInterval unlisted(const std::array<Interval, 10>& i) {
   return out;
 }
 
+/// The runs' rows in the narrower band, whitened, with honest variances.
+Triangle narrowFit(const Prepared& prepared, std::vector<Run> runs, const WideBand& wide) {
+  for (auto& run : runs) run.to = std::min(run.to, wide.blocks.size());
+  std::erase_if(runs, [](const Run& run) { return run.to - run.from <= kMaxArOrder; });
+  if (runs.empty()) return Triangle::Zero();
+  FitRowsQuestion question{wide.blocks, runs, {prepared.silent, prepared.rounding}, std::nullopt, nullptr};
+  question.predicts = wide.stride;
+  return fitRowsOf(question).whitened;
+}
+
 /// Standard deviations of the ten components by the curvature at the mode.
 Vector10d curvatureStd(const MapPrior& prior, const MapSolution& solution) {
   const Matrix10d J = componentsJacobian(solution.phi) * parametersJacobian(prior, solution.v);
@@ -97,7 +107,16 @@ Prepared withoutFirst(const Prepared& prepared, Eigen::Index count) {
   return out;
 }
 
-void BlockLearner::learn(const Prepared& prepared) {
+WideBand WideBand::withoutFirst(Eigen::Index count) const {
+  WideBand out{blocks, stride};
+  count = std::min(count, blocks.size());
+  out.blocks.startTime = blocks.time(count);
+  out.blocks.Y.erase(out.blocks.Y.begin(), out.blocks.Y.begin() + count);
+  out.blocks.wrench = blocks.wrench.rightCols(blocks.size() - count);
+  return out;
+}
+
+void BlockLearner::learn(const Prepared& prepared, const WideBand& wide) {
   if (prepared.runs.empty()) {
     learned_ = prepared.blocks.size();
     return;
@@ -113,7 +132,12 @@ void BlockLearner::learn(const Prepared& prepared) {
   weighting_ = bounded(noise_);
   used_ = prepared.usedBlocks;
   shortfall_ = shortfallOfLearning(prepared.blocks, noise_, prepared.runs, {prepared.silent, prepared.rounding});
-  base_ = honestTriangle(prepared.blocks, noise_, weighting_, prepared.weights, prepared.runs) / shortfall_;
+  // A tool that stands still has no motion to be smoothed.
+  stride_ = still_ ? 1 : wide.stride;
+  base_ =
+      stride_ > 1
+          ? narrowFit(prepared, prepared.runs, wide)
+          : Triangle(honestTriangle(prepared.blocks, noise_, weighting_, prepared.weights, prepared.runs) / shortfall_);
   total_ = merged({frozen_, base_});
   findings_.clear();
   // A shape that could not be used would have failed when its prior was made.
@@ -192,7 +216,7 @@ void BlockLearner::follow(const LaneBlocks& blocks) {
   if (!estimated_) return;
   judge(blocks);
   const Eigen::Index ready = blocks.size() - kMargin;
-  if (ready > followed_) {
+  if (ready > followed_ && stride_ == 1) {
     // Free runs with the blocks before them that their noise remembers.
     const Eigen::Index from = std::max<Eigen::Index>(0, followed_ - noise_.order);
     WrenchRows rows = blocks.rows(from, ready);
@@ -222,7 +246,7 @@ void BlockLearner::follow(const LaneBlocks& blocks) {
   solve(false);
 }
 
-void BlockLearner::freeze(const Prepared& prepared, Eigen::Index count) {
+void BlockLearner::freeze(const Prepared& prepared, Eigen::Index count, const WideBand& wide) {
   std::vector<Run> runs;
   TriangleBuilder rows;
   rows.add(frozenRows_);
@@ -235,8 +259,9 @@ void BlockLearner::freeze(const Prepared& prepared, Eigen::Index count) {
   }
   frozenRows_ = rows.finish();
   if (!runs.empty())
-    frozen_ = merged(
-        {frozen_, honestTriangle(prepared.blocks, prepared.noise, bounded(prepared.noise), prepared.weights, runs)});
+    frozen_ = merged({frozen_, wide.stride > 1 ? narrowFit(prepared, runs, wide)
+                                               : honestTriangle(prepared.blocks, prepared.noise,
+                                                                bounded(prepared.noise), prepared.weights, runs)});
   forgetBlocks();
 }
 

@@ -2,6 +2,7 @@
 // From blocks to an estimate: thoroughly now and then, quickly in between.
 #include <optional>
 
+#include "core/estimation/fit_rows.h"
 #include "core/estimation/prepare.h"
 #include "core/estimation/prior.h"
 #include "core/online/lane.h"
@@ -16,6 +17,15 @@ Prepared learnedWith(const LaneBlocks& blocks, std::vector<MarkLabel> labels);
 /// Without the first `count` blocks.
 Prepared withoutFirst(const Prepared& prepared, Eigen::Index count);
 
+/// Where the motion is smoothed more than the wrench: the blocks of the motion that lost least, of which motion and
+/// wrench are narrowed alike, as in the batch. As long as those that are learned from, or some blocks shorter.
+struct WideBand {
+  WrenchRows blocks;
+  int stride = 1;  ///< FitRowsQuestion::predicts; 1: what is learned from is fitted to as it is.
+
+  WideBand withoutFirst(Eigen::Index count) const;
+};
+
 enum class Judged : char { unused, free, contact };
 
 /// What the estimate rests on, for one tool.
@@ -26,11 +36,11 @@ class BlockLearner {
 
   /// Learns labels, noise and prior from all blocks and estimates with intervals by sampling. Does nothing if
   /// too little is free.
-  void learn(const Prepared& prepared);
-  /// Judges and takes in the blocks that came since.
+  void learn(const Prepared& prepared, const WideBand& wide);
+  /// Judges the blocks that came since, and takes them in; with a stride they count when learned from again.
   void follow(const LaneBlocks& blocks);
   /// The first `count` blocks are about to be dropped: what they say is kept. To be followed by learn().
-  void freeze(const Prepared& prepared, Eigen::Index count);
+  void freeze(const Prepared& prepared, Eigen::Index count, const WideBand& wide);
 
   bool estimated() const { return estimated_; }
   Eigen::Index learnedBlocks() const { return learned_; }
@@ -61,6 +71,7 @@ class BlockLearner {
   const EstimateOptions* options_;
   const ShapePrior* shape_;
   bool estimated_ = false;
+  int stride_ = 1;
   Eigen::Index learned_ = 0, followed_ = 0;  ///< LaneBlocks learned from; and those whose rows are in fresh_.
   std::vector<Judged> judged_;
   std::optional<Vector3d> still_;  ///< What was learned from stood still: with this specific force.

@@ -14,6 +14,7 @@
 #include "core/motion/mount_link.h"
 #include "core/online/block_learner.h"
 #include "core/online/online_words.h"
+#include "core/online/stamp_scatter.h"
 #include "core/online/tool_change.h"
 
 namespace heft {
@@ -34,10 +35,12 @@ constexpr Eigen::Index kChoosingTime = 25;  // the same for the choice of the sm
 /// No number is told while the fit misses the force by more than this share of what it does (standard deviations), and
 /// by more than so many times what the readings scatter by themselves: what is missed then is no noise.
 constexpr double kDescribes = 0.2, kAboveScatter = 5.0;
-constexpr std::size_t kFewestSteps = 200;  // Samples whose stamps tell the jitter
-constexpr double kJitterShare = 0.2;       // Of a step from which on it is told,
-constexpr double kJitter = 2e-4;           // and [s]
-constexpr Eigen::Index kSuspicious = 50;   // blocks of contact after which nothing is learned until it is over
+constexpr std::size_t kMostSteps = 1000;  // Samples whose stamps tell the jitter
+constexpr double kJitterShare = 0.2;      // Of a step from which on it is told,
+constexpr double kJitter = 2e-4;          // and [s]
+/// [s] from which on no number is told: its interval would not hold the truth (`live_study`).
+constexpr double kTooMuchJitter = 1e-3;
+constexpr Eigen::Index kSuspicious = 50;  // blocks of contact after which nothing is learned until it is over
 
 }  // namespace
 
@@ -53,8 +56,9 @@ struct OnlineEstimator::Impl {
   EstimateOptions batch;  ///< What of the options the batch knows too
   std::optional<ShapePrior> shape;
   SampleStream stream;
-  std::vector<Lane> lanes;
+  std::vector<Lane> lanes;  ///< The first loses least of the motion.
   std::size_t chosen = 0;
+  bool undecided = true;  ///< The smoothing is still to be chosen.
   BlockLearner learner;
   std::optional<Tool> other;  ///< The tool before.
   Eigen::Index nextChoice = kFirstChoice;
@@ -95,11 +99,14 @@ struct OnlineEstimator::Impl {
 
   void begin() {
     lanes.clear();
-    if (options.cutoffHz > 0.0)
+    undecided = options.cutoffHz <= 0.0;
+    if (undecided)
+      for (const double cutoff : {kDefaultCutoffHz, 12.0, 6.0, 3.0}) lanes.emplace_back(cutoff);
+    else if (strideAt(options.cutoffHz) == 1)
       lanes.emplace_back(options.cutoffHz);
     else
-      for (const double cutoff : {25.0, 12.0, 6.0, 3.0}) lanes.emplace_back(cutoff);
-    chosen = 0;
+      for (const double cutoff : {kDefaultCutoffHz, options.cutoffHz}) lanes.emplace_back(cutoff);
+    chosen = undecided ? 0 : lanes.size() - 1;
     learner = freshLearner();
     other.reset();
     nextChoice = kFirstChoice;
@@ -112,6 +119,27 @@ struct OnlineEstimator::Impl {
   }
 
   LaneBlocks& blocks() { return lanes[chosen].blocks; }
+
+  /// As many blocks make one where the motion is smoothed with this [Hz].
+  static int strideAt(double cutoffHz) {
+    return std::max(1, static_cast<int>(std::lround(kDefaultCutoffHz / cutoffHz)));
+  }
+
+  /// The first lane's blocks beside those of another, as far as they belong together.
+  WideBand wideBeside(std::size_t lane) const {
+    WideBand out;
+    const auto &wide = lanes.front().blocks.time, &time = lanes[lane].blocks.time;
+    if (lane == 0 || time.empty()) return out;
+    const auto from = indexAt(lanes.front().blocks, time.front());
+    Eigen::Index count = 0;
+    const auto most = std::min(static_cast<Eigen::Index>(time.size()), lanes.front().blocks.size() - from);
+    while (count < most &&
+           std::abs(wide[static_cast<std::size_t>(from + count)] - time[static_cast<std::size_t>(count)]) < 1e-6)
+      ++count;
+    out.blocks = lanes.front().blocks.rows(from, from + count);
+    out.stride = strideAt(lanes[lane].cutoffHz());
+    return out;
+  }
 
   bool advance(bool last) {
     sinceStep = 0;
@@ -133,10 +161,8 @@ struct OnlineEstimator::Impl {
     return news;
   }
 
-  /// How far time stamps are from even steps [s]: a stamp that is off makes two steps wrong.
-  double jitter() const {
-    return steps.size() < kFewestSteps ? 0.0 : robustStd({steps.begin(), steps.end()}) / std::numbers::sqrt2;
-  }
+  /// How far the newest time stamps lie off even steps.
+  StampScatter stamps() const { return stampScatter({steps.begin(), steps.end()}); }
 
   /// Whether what the fit leaves over in the forces is anything like what the sensor scatters. Contact counts, too:
   /// what a fit calls so because it misses it says nothing for the fit; robust scatter lets half of it pass.
@@ -198,25 +224,27 @@ struct OnlineEstimator::Impl {
     return best;
   }
 
-  static Learned learned(BlockLearner learner, const LaneBlocks& blocks) {
+  static Learned learned(BlockLearner learner, const LaneBlocks& blocks, WideBand wide) {
     Prepared prepared = learnedFrom(blocks);
     Learned out{std::move(learner), {}, blocks.size() > kMost};
     if (!prepared.runs.empty()) out.labels = prepared.labels;
     if (out.dropped) {
-      out.learner.freeze(prepared, kDropped);
+      out.learner.freeze(prepared, kDropped, wide);
       prepared = withoutFirst(prepared, kDropped);
+      wide = wide.withoutFirst(kDropped);
     }
-    out.learner.learn(prepared);
+    out.learner.learn(prepared, wide);
     return out;
   }
 
   void learn(std::size_t lane) {
     BlockLearner from = lane == chosen ? learner : freshLearner();
-    if (lanes[lane].blocks.size() <= kAtOnce) return takeOver(learned(std::move(from), lanes[lane].blocks), lane);
+    if (lanes[lane].blocks.size() <= kAtOnce)
+      return takeOver(learned(std::move(from), lanes[lane].blocks, wideBeside(lane)), lane);
     learningLane = lane;
     due = blocks().size() + kLearningTime;
-    learning = std::async(std::launch::async,
-                          [from = std::move(from), copy = lanes[lane].blocks] { return learned(from, copy); });
+    learning = std::async(std::launch::async, [from = std::move(from), copy = lanes[lane].blocks,
+                                               wide = wideBeside(lane)] { return learned(from, copy, wide); });
   }
 
   void takeOver(Learned result, std::size_t lane) {
@@ -225,17 +253,18 @@ struct OnlineEstimator::Impl {
     chosen = lane;
     if (result.dropped) {
       // The choice of the smoothing is made by now; the other lanes would only keep the machine warm.
-      if (lanes.size() > 1) {
-        Lane kept = std::move(lanes[chosen]);
-        lanes.clear();
-        lanes.push_back(std::move(kept));
-        chosen = 0;
+      if (undecided) {
+        undecided = false;
+        lanes.erase(lanes.begin() + static_cast<std::ptrdiff_t>(chosen) + 1, lanes.end());
+        if (chosen > 1) lanes.erase(lanes.begin() + 1, lanes.end() - 1);
+        chosen = lanes.size() - 1;
         other.reset();
       }
-      blocks().keep(kDropped, blocks().size());
+      const double kept = blocks().time[static_cast<std::size_t>(kDropped)];
+      for (auto& each : lanes) each.blocks.keep(indexAt(each.blocks, kept), each.blocks.size());
     }
     learner.follow(blocks());
-    if (lanes.size() < 2 || result.labels.empty() || n < nextChoice) return;
+    if (!undecided || result.labels.empty() || n < nextChoice) return;
     nextChoice = std::max(nextChoice, static_cast<Eigen::Index>(kChoiceGrowth * static_cast<double>(n)));
     due = blocks().size() + kChoosingTime;
     choosing = std::async(std::launch::async, [all = blocksOfLanes(result.labels.size()),
@@ -245,7 +274,7 @@ struct OnlineEstimator::Impl {
   /// At the end of the data: all at once.
   void learnLast() {
     discard();
-    if (lanes.size() > 1) {
+    if (undecided) {
       const Prepared prepared = learnedFrom(blocks());
       if (!prepared.runs.empty()) {
         const std::size_t best = bestLane(blocksOfLanes(prepared.labels.size()), prepared.labels);
@@ -255,7 +284,7 @@ struct OnlineEstimator::Impl {
         }
       }
     }
-    takeOver(learned(learner, blocks()), chosen);
+    takeOver(learned(learner, blocks(), wideBeside(chosen)), chosen);
     discard();
   }
 
@@ -335,7 +364,7 @@ struct OnlineEstimator::Impl {
     if (events.size() > 20) events.erase(events.begin());
     nextChoice =
         std::max(kFirstChoice, static_cast<Eigen::Index>(kChoiceGrowth * static_cast<double>(blocks().size())));
-    if (blocks().size() >= kFirst) learner.learn(learnedFrom(blocks()));
+    if (blocks().size() >= kFirst) learner.learn(learnedFrom(blocks()), wideBeside(chosen));
   }
 
   static Eigen::Index indexAt(const LaneBlocks& blocks, double time) {
@@ -374,18 +403,20 @@ void OnlineEstimator::Impl::fillState() const {
          heft::say("Check the source."),
          {}});
   for (const auto& finding : lanes[chosen].findings) state.findings.push_back(finding);
-  if (const double off = jitter(); stream.ready() && off > std::max(kJitter, kJitterShare / stream.rateHz()))
+  const StampScatter scatter = stamps();
+  if (scatter.off > std::max(kJitter, kJitterShare * scatter.step))
     state.findings.push_back(
         {Severity::warning,
          "stamps_jitter",
          heft::say(
              "The samples' time stamps jitter by {:.2g} ms at steps of {:.2g} ms: accelerations are not to be had "
              "from such a motion.",
-             1e3 * off, 1e3 / stream.rateHz()),
+             1e3 * scatter.off, 1e3 * scatter.step),
          heft::say("Let the source stamp its samples when they are measured, not when they are sent."),
          {}});
-  state.estimated = learner.estimated() && fitAgrees();
-  if (learner.estimated() && !state.estimated)
+  const bool agrees = !learner.estimated() || fitAgrees();
+  state.estimated = learner.estimated() && scatter.off < kTooMuchJitter && agrees;
+  if (!agrees)
     state.findings.push_back(
         {Severity::warning,
          "no_agreement",
@@ -462,7 +493,7 @@ bool OnlineEstimator::add(const OnlineSample& sample) {
     return false;
   }
   if (self.samples > 0) self.steps.push_back(sample.time - self.newestTime);
-  if (self.steps.size() > 5 * kFewestSteps) self.steps.pop_front();
+  if (self.steps.size() > kMostSteps) self.steps.pop_front();
   ++self.samples;
   self.newestTime = sample.time;
   ++self.sinceStep;

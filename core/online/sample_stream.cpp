@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kRateTime = 0.25;         // [s] of samples that tell the rate,
 constexpr std::size_t kRateCount = 9;      // but at least so many
+constexpr double kMostOfMean = 5.0;        // Times the mean rate, where most samples were lost
 constexpr double kGap = 0.05;              // [s] between two samples that ends a stretch,
 constexpr double kGapSteps = 5.0;          // or so many steps
 constexpr std::size_t kSpikeWindow = 300;  // samples that tell what is usual
@@ -81,6 +82,9 @@ void SampleStream::findRate() {
   VectorXd time(static_cast<Eigen::Index>(samples_.size()));
   for (std::size_t i = 0; i < samples_.size(); ++i) time(static_cast<Eigen::Index>(i)) = samples_[i].time;
   rateHz_ = gridFor(time).rateHz;
+  // Stamped in bursts: most steps are next to nothing, and the grid would have thousands of rows a sample.
+  const double mean = static_cast<double>(time.size() - 1) / (time(time.size() - 1) - time(0));
+  if (rateHz_ > kMostOfMean * mean) rateHz_ = mean;
   // Clocks are set to whole hertz; jitter and rounded time stamps hide it.
   if (const double whole = std::round(rateHz_); whole >= 10.0 && std::abs(rateHz_ - whole) < 0.003 * whole)
     rateHz_ = whole;

@@ -10,7 +10,19 @@
 
 namespace heft {
 
-enum class Role { time, joint, jointVelocity, position, quaternion, twist, accelerometer, gyroscope, wrench, label, extra };
+enum class Role {
+  time,
+  joint,
+  jointVelocity,
+  position,
+  quaternion,
+  twist,
+  accelerometer,
+  gyroscope,
+  wrench,
+  label,
+  extra
+};
 
 struct Column {
   Role role = Role::extra;

@@ -45,7 +45,8 @@ std::vector<FrozenStretch> hungPostures(const VectorXd& time, const Eigen::Ref<c
   const auto ninth = steps.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(steps.size() - 1));
   std::nth_element(steps.begin(), ninth, steps.end());
   for (const auto& stretch : frozenStretches(time, changes, kShortest))
-    if (stretch.to < postures.rows() && (postures.row(stretch.to) - postures.row(stretch.to - 1)).norm() > kLeap * *ninth)
+    if (stretch.to < postures.rows() &&
+        (postures.row(stretch.to) - postures.row(stretch.to - 1)).norm() > kLeap * *ninth)
       out.push_back(stretch);
   return out;
 }

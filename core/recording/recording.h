@@ -70,11 +70,11 @@ struct Recording {
   Eigen::Matrix<double, Eigen::Dynamic, 3> position;    ///< p_BSo_B [m]; absent for orientation only
   Eigen::Matrix<double, Eigen::Dynamic, 4> quaternion;  ///< R_BS as x, y, z, w; unit length
   Eigen::Matrix<double, Eigen::Dynamic, 6> twist;       ///< v_BSo_B [m/s], w_BS_B [rad/s], optional
-  /// What an inertial sensor I on the tool side reads, in its own axes: R_SI^T (a_BIo - g) [m/s2] and w_BI_I [rad/s], with
-  /// biases. How it is mounted is told by nobody, see core/motion/accelerometer.h. Each optional.
+  /// What an inertial sensor I on the tool side reads, in its own axes: R_SI^T (a_BIo - g) [m/s2] and w_BI_I [rad/s],
+  /// with biases. How it is mounted is told by nobody, see core/motion/accelerometer.h. Each optional.
   Eigen::Matrix<double, Eigen::Dynamic, 3> accelerometer;
   Eigen::Matrix<double, Eigen::Dynamic, 3> gyroscope;
-  Eigen::Matrix<double, Eigen::Dynamic, 6> wrench;      ///< F_PSo_S: sensor on payload, force [N], torque [N m]
+  Eigen::Matrix<double, Eigen::Dynamic, 6> wrench;  ///< F_PSo_S: sensor on payload, force [N], torque [N m]
   /// The wrench is still in the axes and about the point that meta.conventions states: toSensorAxes() is to come.
   bool wrenchNeedsPose = false;
   std::vector<std::optional<MarkLabel>> labels;  ///< From the column `label`; empty if there is none.

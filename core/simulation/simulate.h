@@ -53,7 +53,7 @@ struct SimulateOptions {
   std::uint64_t seed = 1;
   SensorModel sensor;
   double positionNoise = 1e-5;    ///< encoder noise on q, standard deviation [rad]
-  double positionStep = 0.0;       ///< step of the encoder on q [rad]; 0: exact
+  double positionStep = 0.0;      ///< step of the encoder on q [rad]; 0: exact
   double velocityQuantum = 1e-3;  ///< step of the controller's reported dq [rad/s]; 0: exact
   SensorMount mount{"panda_link8", {0.0, 0.0, 0.04}, {0.0, 0.0, 0.0}};
   Vector3d gravity{0.0, 0.0, -9.81};     ///< g_B [m/s2]

@@ -40,8 +40,9 @@ int main(int argc, char** argv) {
     fmt::print(
         "{:<16} {:.3f}  {:.3f}  {:.3f}      {:.2f}  {:.2f}  {:.2f}     {:6.3f} {:6.3f} {:6.2f} {:6.2f} {:5} {:5}    "
         "{:.3f}\n",
-        row.name, r.mass.inside, r.com.inside, r.inertia.inside, r.mass.ratio, r.com.ratio, r.inertia.ratio, 100 * r.massError,
-        100 * r.comError, 100 * r.inertiaOriginError, 100 * r.inertiaComError, r.failed, r.unphysical, r.seconds);
+        row.name, r.mass.inside, r.com.inside, r.inertia.inside, r.mass.ratio, r.com.ratio, r.inertia.ratio,
+        100 * r.massError, 100 * r.comError, 100 * r.inertiaOriginError, 100 * r.inertiaComError, r.failed,
+        r.unphysical, r.seconds);
     std::fflush(stdout);
   }
 }

@@ -52,7 +52,8 @@ void logBy(const Logger& logger, Recording& recording, std::mt19937& random) {
   if (logger.stepN > 0.0)
     for (Eigen::Index c = 0; c < 6; ++c) {
       const double step = c < 3 ? logger.stepN : logger.stepN / 20.0;
-      // Ties, which the simulated sensor's own resolution makes, to even: away from zero they would make all loads larger.
+      // Ties, which the simulated sensor's own resolution makes, to even: away from zero they would make all loads
+      // larger.
       for (double& reading : recording.wrench.col(c)) reading = std::nearbyint(reading / step) * step;
     }
   if (logger.longestGap <= 0.0) return;

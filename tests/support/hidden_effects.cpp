@@ -267,7 +267,8 @@ HiddenRecording drawHidden(HiddenCase kind, std::uint64_t seed, double multiple,
     while (wanted.size() < count) {
       const EffectKind* next =
           findEffectKind(ids[static_cast<std::size_t>(static_cast<double>(ids.size()) * random.uniform())]);
-      if (std::none_of(wanted.begin(), wanted.end(), [&](const EffectKind* w) { return groupOf(w->id) == groupOf(next->id); }))
+      if (std::none_of(wanted.begin(), wanted.end(),
+                       [&](const EffectKind* w) { return groupOf(w->id) == groupOf(next->id); }))
         wanted.push_back(next);
     }
     for (const EffectKind* each : wanted) {

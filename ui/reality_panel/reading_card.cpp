@@ -134,8 +134,8 @@ QWidget* makeReadingCard(const DiagnosisReport& report, const DiagnosedCause& ca
   if (curves && !state.applied) addCurves(card.layout, *curves, report.meta.kind == RecordingKind::poses, card.frame);
   if (!state.applied) {
     for (const auto& tie : mistake.ties)
-      card.layout->addWidget(said(ReadingWords::tr("Fits as well:"),
-                                  tiedWords(saidNow(tie.sentence), tie.payload), card.frame));
+      card.layout->addWidget(
+          said(ReadingWords::tr("Fits as well:"), tiedWords(saidNow(tie.sentence), tie.payload), card.frame));
     if (mistake.tied && !mistake.decides.empty())
       card.layout->addWidget(said(ReadingWords::tr("To decide:"), saidNow(mistake.decides), card.frame));
     card.layout->addWidget(

@@ -15,7 +15,7 @@ namespace {
 const Payload kTool = test::boxPayload(0.8, {0.08, 0.10, 0.12}, {0.01, -0.005, 0.06});
 
 Recording recordingToJoin(MotionKind kind, const Payload& payload, unsigned seed, double duration = 10.0,
-                      double speed = 1.0) {
+                          double speed = 1.0) {
   SimulateOptions options;
   options.speed = speed;
   options.motion = kind;
@@ -39,7 +39,8 @@ JointReport joined(const std::vector<Recording>& recordings, const EstimateOptio
 }
 
 TEST(Joint, TwoRecordingsWithTheirOwnBiasesNarrowTheIntervals) {
-  const std::vector recordings{recordingToJoin(MotionKind::free, kTool, 1), recordingToJoin(MotionKind::free, kTool, 2)};
+  const std::vector recordings{recordingToJoin(MotionKind::free, kTool, 1),
+                               recordingToJoin(MotionKind::free, kTool, 2)};
   const auto joint = joined(recordings);
   ASSERT_EQ(joint.pieces.size(), 2u);
   const auto& first = joint.pieces[0].report;
@@ -59,8 +60,8 @@ TEST(Joint, TwoRecordingsWithTheirOwnBiasesNarrowTheIntervals) {
 }
 
 TEST(Joint, ARecordingWithoutMotionAddsNothing) {
-  const auto joint = joined(
-      {heldStill(3), recordingToJoin(MotionKind::excitation, kTool, 4), recordingToJoin(MotionKind::excitation, kTool, 5)});
+  const auto joint = joined({heldStill(3), recordingToJoin(MotionKind::excitation, kTool, 4),
+                             recordingToJoin(MotionKind::excitation, kTool, 5)});
   EXPECT_EQ(joint.proposalText, "Use 2 and 3; 1 adds nothing.");
   EXPECT_THAT(joint.proposal, testing::ElementsAre(1u, 2u));
   EXPECT_LT(joint.pieces[0].adds.mass, 1.1);
@@ -92,7 +93,8 @@ TEST(Joint, TheSameToolIsNotTakenForAnother) {
 }
 
 TEST(Joint, TheResultNamesEveryRecording) {
-  const auto joint = joined({recordingToJoin(MotionKind::free, kTool, 17), recordingToJoin(MotionKind::free, kTool, 18)});
+  const auto joint =
+      joined({recordingToJoin(MotionKind::free, kTool, 17), recordingToJoin(MotionKind::free, kTool, 18)});
   const auto result = toJson(joint);
   EXPECT_EQ(result["schema"], "heft.estimate/1");
   EXPECT_EQ(result["recording"]["file"], "recording 17");

@@ -69,8 +69,7 @@ TEST(InertialParameters, PhysicalAgreesWithThePseudoInertia) {
   for (int i = 0; i < 200; ++i) {
     Payload payload = randomPayload(random);
     payload.inertiaCom -= 0.3 * payload.inertiaCom.trace() * Matrix3d::Identity() * (i % 3 == 0 ? 1.0 : 0.0);
-    const bool positive =
-        symmetricEigen(pseudoInertia(toParameters(payload))).values(0) > 0.0;
+    const bool positive = symmetricEigen(pseudoInertia(toParameters(payload))).values(0) > 0.0;
     EXPECT_EQ(checkPhysical(payload).physical, positive) << "payload " << i;
   }
 }

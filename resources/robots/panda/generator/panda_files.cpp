@@ -109,7 +109,8 @@ std::string pandaUrdf() {
   std::string out =
       "<?xml version=\"1.0\"?>\n"
       "<!-- Written by make_panda from the manufacturer's published table of joints; the meshes are our own drawing.\n"
-      "     The links' masses were identified by Gaz et al. (2019, doi 10.1109/LRA.2019.2931248). Frames and names are\n"
+      "     The links' masses were identified by Gaz et al. (2019, doi 10.1109/LRA.2019.2931248). Frames and names "
+      "are\n"
       "     the manufacturer's. The force/torque sensor sits between flange and hand: the hand's frame stays on the\n"
       "     flange, as everywhere, and only its mesh is drawn 40 mm further out. -->\n"
       "<robot name=\"panda\">\n";

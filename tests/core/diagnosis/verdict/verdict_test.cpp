@@ -163,7 +163,8 @@ TEST(Verdict, ASlightCauseBesideAStrongOneIsNotNamed) {
   }
 }
 
-/// Without positions, what helps to describe an unknown that more speaks for is not found; what was seen in the samples was.
+/// Without positions, what helps to describe an unknown that more speaks for is not found; what was seen in the samples
+/// was.
 TEST(Verdict, WhatExplainsLessThanTheUnknownIsNotTold) {
   DiagnosisReport report;
   report.verdict = Verdict::unexplained;
