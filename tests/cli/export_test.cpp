@@ -141,7 +141,8 @@ TEST_F(ExportTest, WarnsWhereTheMountIsUnknown) {
   json content = result();
   content.erase("sensor_mount");
   writeResult(content);
-  EXPECT_THAT(heft({"export", "result.json", "--format", "json"}).err, HasSubstr("does not say where the sensor sits"));
+  EXPECT_THAT(heft({"export", "result.json", "--format", "json"}).err,
+              HasSubstr("does not state where the sensor is mounted"));
   EXPECT_THAT(heft({"export", "result.json", "--format", "json", "--xyz", "0,0,0"}).err,
               Not(HasSubstr("where the sensor")));
 }

@@ -73,17 +73,17 @@ class EntryCardTest : public testing::Test {
 };
 
 TEST_F(EntryCardTest, AsksFirstAndSaysWhatAWrongEntryCosts) {
-  EXPECT_TRUE(texts().contains("Say what the controller is set to now"));
+  EXPECT_TRUE(texts().contains("Enter what the controller is set to now"));
   tell({"controller", "0.5", "at", "0,0,100"});
   ASSERT_TRUE(costs()->cost());
   EXPECT_NEAR(costs()->cost()->weight, 0.3 * 9.81, 0.1);
-  EXPECT_TRUE(texts().contains("that nobody exerts")) << texts().toStdString();
+  EXPECT_TRUE(texts().contains("phantom")) << texts().toStdString();
   EXPECT_TRUE(texts().contains("With a stiffness of 3000 N/m it sinks by 1.0 mm")) << texts().toStdString();
   EXPECT_TRUE(texts().contains("A push along it stops the arm at"));
   workspace.undoStack()->undo();
   settle();
   EXPECT_FALSE(costs()->cost());
-  EXPECT_TRUE(texts().contains("Say what the controller is set to now"));
+  EXPECT_TRUE(texts().contains("Enter what the controller is set to now"));
   workspace.undoStack()->redo();
   settle();
   EXPECT_TRUE(costs()->cost());
@@ -154,7 +154,7 @@ TEST_F(EntryCardTest, WhatTheRecordingTellsNeedsNotBeTyped) {
   ASSERT_TRUE(costs()->cost()) << costs()->failure().toStdString();
   EXPECT_TRUE(costs()->entry()->byRecording);
   EXPECT_NEAR(costs()->cost()->weight, 0.2 * 9.81, 0.1);
-  EXPECT_TRUE(texts().contains("Set as the recording tells (m_total).")) << texts().toStdString();
+  EXPECT_TRUE(texts().contains("Set as in the recording (m_total).")) << texts().toStdString();
   // What somebody typed counts more, and taking it back leads to the recording's again.
   tell({"controller", "0.8"});
   EXPECT_FALSE(costs()->entry()->byRecording);
@@ -214,7 +214,7 @@ TEST(EntryText, TheConsequenceNamesBothDirections) {
   cost.weight = -1.962;
   cost.sag = cost.weight / 1000.0;
   const EntryText text = describeEntry(cost, {10.0, 10.0, 1000.0});
-  EXPECT_EQ(text.headline, "The controller feels up to 2.0 N that nobody exerts.");
+  EXPECT_EQ(text.headline, "The controller sees a phantom force of up to 2.0 N.");
   EXPECT_TRUE(text.consequence.contains("at 8.0 N instead of 10 N, a push against it only at 12 N"))
       << text.consequence.toStdString();
   EXPECT_TRUE(text.consequence.contains("N/m it rises by 2.0 mm"));

@@ -114,7 +114,7 @@ TEST(ModelExport, RefusesWhatIsNoDiagnosisAndWhatItDoesNotName) {
   EXPECT_THAT(errorOf(diagnosisOfARig(), {"cable_pull"}), testing::HasSubstr("cable_pull"));
   json old = diagnosisOfARig();
   old.erase("sensor_mount");
-  EXPECT_THAT(errorOf(old, {}), testing::HasSubstr("where the sensor sits"));
+  EXPECT_THAT(errorOf(old, {}), testing::HasSubstr("where the sensor is mounted"));
   json impossible = diagnosisOfARig();
   impossible["payload_after"]["inertia_com_kgm2"][0][0] = 0.02;
   EXPECT_THAT(errorOf(impossible, {}), testing::HasSubstr("cannot exist"));
