@@ -58,7 +58,7 @@ TEST(SensorAxes, WithoutTheSensorsPoseItSaysWhatIsMissing) {
   ASSERT_TRUE(joints);
   const auto noRobot = toSensorAxes(joints->recording, nullptr);
   ASSERT_FALSE(noRobot);
-  EXPECT_THAT(noRobot.error().message, HasSubstr("no robot says where the sensor was"));
+  EXPECT_THAT(noRobot.error().message, HasSubstr("there is no robot to show where the sensor was"));
 
   auto orientation = readIn({{"sensor", {{"wrench_point", "base"}}}}, motion, MotionForm::poses);
   ASSERT_TRUE(orientation);
