@@ -3,7 +3,8 @@
 # again and again.
 #   sh packaging/check.sh                  everything
 #   HEFT_GUI=OFF sh packaging/check.sh     without Qt and VTK: core and the command line
-#   HEFT_STYLE=ON sh packaging/check.sh    format and clang-tidy of what changed, too (packaging/style.sh)
+#   HEFT_STYLE=ON sh packaging/check.sh    clang-format of all and clang-tidy of what changed, too (packaging/style.sh);
+#                                          format: clang-format alone
 #   HEFT_SANITIZERS=address sh packaging/check.sh   heft under sanitizers, too (packaging/sanitize.sh): one more build;
 #                                          both: two
 set -eu
@@ -22,7 +23,10 @@ ctest --preset release -j "$jobs" || status=$?
 rm -rf build/release/installed
 cmake --install build/release --prefix build/release/installed >build/release/installed.log
 sh packaging/validate.sh build/release/installed || status=$?
-if [ "${HEFT_STYLE:-OFF}" = ON ]; then sh packaging/style.sh || status=$?; fi
+case ${HEFT_STYLE:-OFF} in
+  ON) sh packaging/style.sh || status=$? ;;
+  format) sh packaging/style.sh format || status=$? ;;
+esac
 if [ -n "${HEFT_SANITIZERS:-}" ]; then sh packaging/sanitize.sh "$HEFT_SANITIZERS" || status=$?; fi
 # Whoever called sudo shall be able to go on without it.
 [ -z "${SUDO_UID:-}" ] || chown -R "$SUDO_UID:${SUDO_GID:-$SUDO_UID}" build

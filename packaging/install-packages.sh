@@ -14,10 +14,12 @@ gui="libvtk9-qt-dev qtbase5-dev qttools5-dev libqt5svg5-dev libqcustomplot-dev x
      desktop-file-utils appstream shared-mime-info libxml2-utils"
 python="python3-dev pybind11-dev python3-numpy python3-matplotlib python3-pytest"
 
-style="git clang clang-format clang-tidy"
+style="git clang-format"
+tidy="clang clang-tidy"
 
 packages=$core
 [ "${HEFT_STYLE:-OFF}" = OFF ] || packages="$packages $style"
+[ "${HEFT_STYLE:-OFF}" != ON ] || packages="$packages $tidy"
 [ "${HEFT_PYTHON:-OFF}" = OFF ] || packages="$packages $python"
 [ "${HEFT_GUI:-ON}" = OFF ] || packages="$packages $gui"
 

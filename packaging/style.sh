@@ -2,15 +2,19 @@
 # What a change looks like: clang-format on all files, clang-tidy (.clang-tidy) on the sources that changed. Configures
 # build/tidy and compiles nothing.
 #   sh packaging/style.sh [SINCE]     SINCE: a commit; otherwise where this branch left origin/main, or the last commit
+#   sh packaging/style.sh format      clang-format alone
 set -eu
 cd "$(dirname "$0")/.."
 if ! git rev-parse --git-dir >/dev/null 2>&1; then
   echo "== Style: skipped, since this folder is no git clone"
   exit 0
 fi
-HEFT_STYLE=ON sh packaging/install-packages.sh
+what=ON
+[ "${1:-}" != format ] || what=format
+HEFT_STYLE=$what HEFT_GUI=OFF sh packaging/install-packages.sh
 echo "== clang-format"
-git ls-files '*.cpp' '*.h' | xargs clang-format --dry-run -Werror
+git ls-files -z '*.cpp' '*.h' | xargs -0 clang-format --dry-run -Werror
+[ "$what" = ON ] || exit 0
 
 since=${1:-$(git merge-base HEAD origin/main 2>/dev/null || true)}
 [ -n "$since" ] && [ "$since" != "$(git rev-parse HEAD)" ] || since=$(git rev-parse -q --verify HEAD~1 || true)
