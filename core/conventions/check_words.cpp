@@ -59,29 +59,26 @@ void addFreeUnsure(Report& report) {
   if (report.fromFree.isZero() || p.mass == 0.0) return;
   const double ofCentre = centreStd(p, report.fromFree);
   const double massStd = std::sqrt(std::max(0.0, report.fromFree(0, 0))) / std::abs(p.mass);
-  if (report.turnStd <= 0.0) addPointBesideOther(report);
+  const bool ofPoint = report.turnStd <= 0.0;
+  if (ofPoint) addPointBesideOther(report);
   if (ofCentre < kCentre && massStd < kMass) return;
-  if (report.turnStd <= 0.0) {
-    report.cautions.push_back(
-        {Severity::warning,
-         "point_unsure",
-         heft::say(
-             "This recording shows the point that the torque is about only to +- {:.0f} mm, and the centre of mass "
-             "as well.",
-             1e3 * kInterval * ofCentre),
-         heft::say("State wrench_point in the setup file, or record a motion with brisk turns."),
-         {}});
-    return;
-  }
   report.cautions.push_back(
-      {Severity::warning,
-       "turn_unsure",
-       heft::say("This recording shows how the sensor or the robot's base is turned only to +- {:.1f} degrees. That "
-                 "alone may move the centre of mass by {:.0f} mm.",
-                 kInterval * report.turnStd * 180.0 / std::numbers::pi, 1e3 * kInterval * ofCentre),
-       heft::say(
-           "State the mount and gravity in the setup file, or record a motion that tilts and turns the tool more."),
-       {}});
+      ofPoint
+          ? Finding{Severity::warning,
+                    "point_unsure",
+                    heft::say("This recording shows the point that the torque is about only to +- {:.0f} mm, and the "
+                              "centre of mass as well.",
+                              1e3 * kInterval * ofCentre),
+                    heft::say("State wrench_point in the setup file, or record a motion with brisk turns."),
+                    {}}
+          : Finding{Severity::warning,
+                    "turn_unsure",
+                    heft::say("This recording shows how the sensor or the robot's base is turned only to +- {:.1f} "
+                              "degrees. That alone may move the centre of mass by {:.0f} mm.",
+                              kInterval * report.turnStd * 180.0 / std::numbers::pi, 1e3 * kInterval * ofCentre),
+                    heft::say("State the mount and gravity in the setup file, or record a motion that tilts and turns "
+                              "the tool more."),
+                    {}});
 }
 
 /// What bends mass and centre although the numbers mean what is stated.

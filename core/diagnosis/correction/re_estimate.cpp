@@ -122,8 +122,7 @@ void leaveAsItWas(DiagnosisReport& report, const Hypothesis& hypothesis, const c
 
 /// Whether the setup file's mount is to be turned: sensor axes are then other ones with it.
 bool mountTurns(const nlohmann::json& metaChanges) {
-  const auto at = nlohmann::json::json_pointer("/sensor/mount/rpy_rad");
-  return metaChanges.contains(at);
+  return metaChanges.contains(nlohmann::json::json_pointer("/sensor/mount/rpy_rad"));
 }
 
 }  // namespace
