@@ -156,22 +156,19 @@ void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     card.layout->addWidget(text);
   }
-  auto* row = new QHBoxLayout;
-  row->setSpacing(8);
+  // One above the other: beside each other they are wider than the panel in German.
   if (edit) {
     auto* open = new QPushButton(Words::tr("Robot and sensor …"), card.frame);
     open->setObjectName("editMeta");
     QObject::connect(open, &QPushButton::clicked, parent, [edit] { edit(); });
-    row->addWidget(open);
+    card.layout->addWidget(open);
   }
   auto* button = new QPushButton(Words::tr("Save as a setup file …"), card.frame);
   button->setObjectName("saveMeta");
   button->setToolTip(
       Words::tr("Writes a copy of the setup file with these entries; later recordings then start out right."));
   QObject::connect(button, &QPushButton::clicked, parent, [save] { save(); });
-  row->addWidget(button);
-  row->addStretch(1);
-  card.layout->addLayout(row);
+  card.layout->addWidget(button);
   column->addWidget(card.frame);
 }
 
