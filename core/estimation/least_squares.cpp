@@ -46,14 +46,14 @@ SolverSolution solveLeastSquares(const SolverProblem& problem) {
                            : heft::say("This motion leaves some parameters without any information."));
 }
 
-SolverSolution solveTls(const SolverProblem& problem, SvdKind kind) {
+SolverSolution solveTls(const SolverProblem& problem) {
   const auto [map, offset] = selectionFor(problem.parameters, problem.bias, problem.known);
   const Eigen::Index d = map.cols();
   MatrixXd augmented(problem.A.rows(), d + 1);
   augmented.leftCols(d) = product(problem.A, map);
   augmented.col(d) = problem.y - problem.A * offset;
   // The right singular vector of the smallest singular value is the direction that [A | y] knows least about.
-  const VectorXd v = rightSingularVectors(augmented, kind).col(d);
+  const VectorXd v = thinSvd(augmented).V.col(d);
   if (std::abs(v(d)) < 1e-12)
     return fromFull(
         offset, 1, false,
@@ -77,7 +77,7 @@ SolverSolution solveScaledTls(const SolverProblem& problem, const Eigen::Matrix<
   scale(noisy) = columnNoise(10);
   scale = scale.cwiseMax(1e-9 * scale.maxCoeff());
   const MatrixXd block = R.bottomRightCorner(noisy + 1, noisy + 1) * scale.cwiseInverse().asDiagonal();
-  const VectorXd v = rightSingularVectors(block).col(noisy);
+  const VectorXd v = thinSvd(block).V.col(noisy);
   if (std::abs(v(noisy)) < 1e-12)
     return fromFull(
         offset, 1, false,

@@ -13,9 +13,8 @@ SolverSolution runSolver(Method method, const SolverProblem& problem, const Colu
     case Method::tls:
       return solveScaledTls(problem, noise);
     case Method::tlsFast:
-      return solveTls(problem, SvdKind::divideAndConquer);
     case Method::tlsExact:
-      return solveTls(problem, SvdKind::jacobi);
+      return solveTls(problem);
     case Method::ceres:
       return solveCeres(problem);
     case Method::eigenLm:

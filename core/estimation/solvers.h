@@ -38,8 +38,9 @@ Selection selectionFor(ParameterSet parameters, bool bias, const Payload& known)
 /// Column-pivoted Householder QR: least squares of the rows as they are weighted.
 SolverSolution solveLeastSquares(const SolverProblem& problem);
 
-/// Total least squares of [A | y], every column with the same error (seed paper; Kubus 2008).
-SolverSolution solveTls(const SolverProblem& problem, SvdKind kind);
+/// Total least squares of [A | y], every column with the same error (seed paper; Kubus 2008). The paper tells a fast
+/// decomposition from an exact one; on a triangle of 17 rows the exact one is as fast, and serves both.
+SolverSolution solveTls(const SolverProblem& problem);
 /// Total least squares with columns scaled by their own noise; columns without noise (the biases) are exact and
 /// eliminated first. `columnNoise`: 10 for phi's columns, then 1 for y.
 SolverSolution solveScaledTls(const SolverProblem& problem, const Eigen::Matrix<double, 11, 1>& columnNoise);

@@ -72,9 +72,5 @@ struct ThinSvd {
 ThinSvd thinSvd(const MatrixArgument& A);
 /// Falling.
 VectorXd singularValues(const MatrixArgument& A);
-enum class SvdKind { divideAndConquer, jacobi };
-/// Right singular vectors as columns, that of the largest singular value first. A needs at least as many rows as
-/// columns.
-MatrixXd rightSingularVectors(const MatrixArgument& A, SvdKind kind = SvdKind::jacobi);
 
 }  // namespace heft

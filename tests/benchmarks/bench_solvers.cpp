@@ -104,15 +104,12 @@ void compressAndSolve(benchmark::State& state, SolverSolution (*solve)(const Sol
 }
 
 SolverSolution tls(const SolverProblem& p) { return solveScaledTls(p, Eigen::Matrix<double, 11, 1>::Ones()); }
-SolverSolution tlsFast(const SolverProblem& p) { return solveTls(p, SvdKind::divideAndConquer); }
-SolverSolution tlsExact(const SolverProblem& p) { return solveTls(p, SvdKind::jacobi); }
 
 #define HEFT_BENCH_SOLVER(name, solve, set) \
   BENCHMARK_CAPTURE(compressAndSolve, name, solve, ParameterSet::set)->Unit(benchmark::kMillisecond)
 HEFT_BENCH_SOLVER(ls_full, solveLeastSquares, full);
 HEFT_BENCH_SOLVER(tls_full, tls, full);
-HEFT_BENCH_SOLVER(tls_fast_full, tlsFast, full);
-HEFT_BENCH_SOLVER(tls_exact_full, tlsExact, full);
+HEFT_BENCH_SOLVER(tls_exact_full, solveTls, full);
 HEFT_BENCH_SOLVER(ceres_full, solveCeres, full);
 HEFT_BENCH_SOLVER(eigen_lm_full, solveEigenLm, full);
 HEFT_BENCH_SOLVER(brute_force_mass, solveBruteForce, mass);

@@ -49,8 +49,7 @@ struct NamedSolver {
 const NamedSolver kSolvers[] = {
     {"ls", solveLeastSquares, 1e-9},
     {"tls", [](const SolverProblem& p) { return solveScaledTls(p, kEvenNoise); }, 1e-9},
-    {"tls-fast", [](const SolverProblem& p) { return solveTls(p, SvdKind::divideAndConquer); }, 1e-9},
-    {"tls-exact", [](const SolverProblem& p) { return solveTls(p, SvdKind::jacobi); }, 1e-9},
+    {"tls-exact", solveTls, 1e-9},
     {"ceres", solveCeres, 1e-7},
     {"eigen-lm", solveEigenLm, 1e-7},
     {"brute-force", solveBruteForce, 1e-4},

@@ -74,10 +74,7 @@ TEST(LinearAlgebra, SingularValuesFallAndPutTheMatrixTogether) {
   const auto [U, values, V] = thinSvd(A);
   EXPECT_TRUE(near(U * values.asDiagonal() * V.transpose(), A));
   EXPECT_TRUE(near(singularValues(A), values));
-  for (const SvdKind kind : {SvdKind::jacobi, SvdKind::divideAndConquer}) {
-    const VectorXd last = rightSingularVectors(A, kind).col(3);
-    EXPECT_NEAR((A * last).norm(), values(3), 1e-10);
-  }
+  EXPECT_NEAR((A * V.col(3)).norm(), values(3), 1e-10);
 }
 
 }  // namespace
