@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -88,9 +89,11 @@ std::string effectList() {
   return text;
 }
 
-/// The motion without noise, at a hundred samples a second or what there is.
+constexpr double kLookRate = 100.0;  ///< [Hz] At which a motion is judged; between its samples it is bounded
+
+/// The motion without noise, at kLookRate or what there is.
 JointMotion motionIn(const Simulated& simulated, double rateHz) {
-  const auto stride = std::max<Eigen::Index>(1, std::lround(rateHz / 100.0));
+  const auto stride = std::max<Eigen::Index>(1, std::lround(rateHz / kLookRate));
   const Eigen::Index rows = (simulated.q.rows() - 1) / stride + 1;
   const auto every = [&](const MatrixXd& all) {
     MatrixXd out(rows, all.cols());
@@ -103,9 +106,43 @@ JointMotion motionIn(const Simulated& simulated, double rateHz) {
           every(simulated.ddq)};
 }
 
-/// Throws Failed where the joints cannot give what the motion takes, and where one that shall stay clear of a room does
-/// not.
-void requirePossible(const ClearanceArguments& arguments, const Simulated& simulated, double rateHz) {
+using Simulation = std::function<Simulated(const SimulateOptions&, const Progress&, std::string& said)>;
+
+/// The seed of the first motion that stays clear of the room: `simulate`'s own, then that plus a multiple of
+/// kNextMotion. Throws Failed where none does. `said`: a line where it is another than the first.
+std::uint64_t motionClearOf(const ClearanceArguments& arguments, SimulateOptions simulate, const Simulation& make,
+                            const Progress& progress, std::string& said) {
+  constexpr int kMotions = 50;                                  // Looked at; each takes some 20 ms.
+  constexpr std::uint64_t kNextMotion = 0x9e3779b97f4a7c15ull;  // Far from seeds that people type (golden ratio)
+  const GuidedTool tool = orFail(guidedTool(RobotModel::panda(), simulate.mount));
+  Findings findings;
+  const Surroundings around(arguments, tool, findings);
+  printFindings(findings, false);
+  simulate.effects.clear();
+  simulate.rateHz = std::min(simulate.rateHz, kLookRate);
+  std::optional<Conflict> first;
+  for (int k = 0; k < kMotions; ++k) {
+    progress(static_cast<double>(k) / kMotions, "looking for a motion that stays clear of the room");
+    simulate.motionSeed = simulate.seed + static_cast<std::uint64_t>(k) * kNextMotion;
+    std::string causes;
+    const Simulated look = make(simulate, {}, causes);
+    const auto conflict = around.clearance()->firstConflict(motionIn(look, simulate.rateHz));
+    if (!conflict) {
+      if (k > 0)
+        said += fmt::format("  motion {} of this seed: the first that stays clear of the room. In motion 1: {}\n",
+                            k + 1, first->sentence());
+      return *simulate.motionSeed;
+    }
+    if (!first) first = conflict;
+  }
+  throw Failed(
+      fmt::format("None of {} motions of this seed stays clear of the room. In the first: {} Give the arm more "
+                  "room, or choose another --motion.",
+                  kMotions, first->sentence()));
+}
+
+/// Throws Failed where the joints cannot give what the motion takes.
+void requireTorques(const Simulated& simulated, double rateHz) {
   const GuidedTool tool = orFail(guidedTool(RobotModel::panda(), simulated.recording.meta.mount));
   const JointMotion motion = motionIn(simulated, rateHz);
   MotionLimits limits;
@@ -116,12 +153,6 @@ void requirePossible(const ClearanceArguments& arguments, const Simulated& simul
         fmt::format("The arm cannot make this motion with this load: {} A lighter --payload or a smaller "
                     "--speed takes less.",
                     use.sentence()));
-  if (arguments.room.empty()) return;
-  Findings findings;
-  const Surroundings around(arguments, tool, findings);
-  printFindings(findings, false);
-  if (const auto conflict = around.clearance()->firstConflict(motion))
-    throw Failed(fmt::format("{} Another --seed makes another motion.", conflict->sentence()));
 }
 
 void run(SimulateArguments options) {
@@ -163,15 +194,20 @@ void run(SimulateArguments options) {
   if (const auto consistency = checkPhysical(payload); !consistency.physical)
     throw Failed(fmt::format("{}: such a payload cannot exist: {}", options.payload, consistency.reason));
 
-  std::string causes;
+  std::string motionWords, causes;
+  const std::optional<Payload> carried = options.payload.empty() ? std::nullopt : std::optional(payload);
+  const auto make = [&](const SimulateOptions& simulate, const Progress& progress, std::string& said) {
+    if (!options.like.file.empty()) return simulateLike(options.like, simulate, carried, progress, said);
+    return orFail(heft::simulate(RobotModel::panda(), payload, simulate, progress));
+  };
   Simulated simulated = [&] {
     ProgressLine line;
-    if (!options.like.file.empty())
-      return simulateLike(options.like, options.simulate,
-                          options.payload.empty() ? std::nullopt : std::optional(payload), line.progress(), causes);
-    return orFail(simulate(RobotModel::panda(), payload, options.simulate, line.progress()));
+    if (!options.clearance.room.empty())
+      options.simulate.motionSeed =
+          motionClearOf(options.clearance, options.simulate, make, line.progress(), motionWords);
+    return make(options.simulate, line.progress(), causes);
   }();
-  requirePossible(options.clearance, simulated, options.simulate.rateHz);
+  requireTorques(simulated, options.simulate.rateHz);
   simulated.recording.meta.note =
       fmt::format("{}: {}, seed {}, {} Hz", kNote, words[motion], options.simulate.seed, options.simulate.rateHz);
   requireExpendable(csv, simulated.recording.meta, options.force);
@@ -200,7 +236,7 @@ void run(SimulateArguments options) {
       fmt::format("{} and {}: {} samples, {:.1f} s of {} at {:g} Hz, seed {}\n", displayName(csv),
                   displayName(meta.filename()), simulated.recording.rows(), simulated.recording.duration(),
                   kTitles[motion], options.simulate.rateHz, options.simulate.seed);
-  text += causes;
+  text += motionWords + causes;
   if (options.payload.empty() && options.like.file.empty())
     text += fmt::format("  carries the built-in tool of {:.2f} kg\n", payload.mass);
   if (!options.truth.empty()) text += fmt::format("  the truth is in {}\n", options.truth);

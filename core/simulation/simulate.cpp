@@ -211,7 +211,9 @@ Result<Simulated> simulateWith(const RobotModel& robot, const Payload& payload, 
 
   progress(0.0, "planning the motion");
   const ToolFrame tool{*link, poseFromXyzRpy(options.mount.xyz, options.mount.rpy)};
-  const auto trajectory = planTrajectory(robot, tool, payload, options);
+  SimulateOptions planned = options;
+  planned.seed = options.motionSeed.value_or(options.seed);
+  const auto trajectory = planTrajectory(robot, tool, payload, planned);
   auto made = source(sceneOf(robot, tool, payload, options, *trajectory));
   if (!made) return made.error();
   const Effects effects = std::move(*made);
@@ -321,6 +323,7 @@ nlohmann::json toJson(const SimulationTruth& truth) {
             {"rate_hz", o.rateHz},
             {"speed", o.speed},
             {"seed", o.seed},
+            {"motion_seed", o.motionSeed.value_or(o.seed)},
             {"gravity_m_s2", toJson(o.gravity)},
             {"mount", {{"parent", o.mount.parent}, {"xyz_m", toJson(o.mount.xyz)}, {"rpy_rad", toJson(o.mount.rpy)}}},
             {"position_noise_rad", o.positionNoise},

@@ -51,6 +51,7 @@ struct SimulateOptions {
   /// Limits always win, so a large value only makes a fast arm.
   double speed = 1.0;
   std::uint64_t seed = 1;
+  std::optional<std::uint64_t> motionSeed;  ///< Of motion and contacts alone; nothing: `seed`
   SensorModel sensor;
   double positionNoise = 1e-5;    ///< encoder noise on q, standard deviation [rad]
   double positionStep = 0.0;      ///< step of the encoder on q [rad]; 0: exact

@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "core/robot/robot_model.h"
 #include "tests/cli/process.h"
 
 namespace heft::test {
@@ -70,12 +71,53 @@ TEST_F(CoachTest, KeepsClearOfARoomAndSaysWhatIsInTheWay) {
   const std::vector<std::string> simulated{"simulate", "--motion", "free",      "--duration", "3",         "--rate",
                                            "250",      "--room",   "room.json", "-o",         "inside.csv"};
   EXPECT_TRUE(failedWithOneSentence(heft(simulated), "block"));
-  write("room.json", R"({"schema": "heft.room/1", "obstacles": []})");
-  EXPECT_EQ(heft(simulated).exitCode, 0);
   write("room.json", R"({"schema": "heft.room/1", "obstacles": [{"name": "table", "plane": {"point_m": [0, 0]}}]})");
   EXPECT_TRUE(failedWithOneSentence(heft(coach), "room.json"));
   EXPECT_TRUE(failedWithOneSentence(heft({"coach", "rec.csv", "--room", "none.json"}), "none.json"));
   EXPECT_EQ(heft({"coach", "rec.csv", "--shape", "box:0.1,0.1,0.1", "--shape-file", "tool.json"}).exitCode, 2);
+}
+
+TEST_F(CoachTest, ASimulatedMotionThatMeetsTheRoomIsReplacedByOneThatDoesNot) {
+  const auto make = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"simulate", "--motion",           "free", "--duration", "20", "--rate", "100",
+                                       "--truth",  name + ".truth.json", "-o",   name + ".csv"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return heft(arguments);
+  };
+  /// How far the flange goes along y [m].
+  const auto farthest = [&](const std::string& name) {
+    std::istringstream lines(read(name + ".csv"));
+    std::string line;
+    std::getline(lines, line);
+    const int flange = *RobotModel::panda().findLink("panda_link8");
+    double y = 0.0;
+    while (std::getline(lines, line)) {
+      VectorXd q(7);
+      std::istringstream cells(line.substr(line.find(',') + 1));
+      for (double& angle : q) {
+        cells >> angle;
+        cells.ignore();
+      }
+      y = std::max(y, RobotModel::panda().linkPose(q, flange).translation().y());
+    }
+    return y;
+  };
+  ASSERT_EQ(make("open", {"--seed", "2"}).exitCode, 0);
+  write("room.json", R"({"schema": "heft.room/1", "obstacles": [
+      {"name": "wall", "plane": {"point_m": [0, 0.28, 0], "normal": [0, -1, 0]}}]})");
+  const Outcome replaced = make("clear", {"--seed", "2", "--room", "room.json"});
+  ASSERT_EQ(replaced.exitCode, 0) << replaced.err;
+  EXPECT_THAT(replaced.out, HasSubstr("of this seed: the first that stays clear of the room. In motion 1:"));
+  EXPECT_LT(farthest("clear"), 0.26);
+  EXPECT_NE(farthest("clear"), farthest("open"));
+  // What is not the motion stays that of the seed, and the same command makes the same recording.
+  EXPECT_EQ(readJson("clear.truth.json")["bias"], readJson("open.truth.json")["bias"]);
+  ASSERT_EQ(make("once_more", {"--seed", "2", "--room", "room.json"}).exitCode, 0);
+  EXPECT_EQ(read("once_more.csv"), read("clear.csv"));
+
+  write("room.json", R"({"schema": "heft.room/1", "obstacles": []})");
+  ASSERT_EQ(make("empty", {"--seed", "2", "--room", "room.json"}).exitCode, 0);
+  EXPECT_EQ(read("empty.csv"), read("open.csv"));
 }
 
 TEST_F(CoachTest, SimulatedArmsCarryWhatTheirJointsCan) {
