@@ -12398,8 +12398,16 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>R&amp;aum wählen …</translation>
     </message>
     <message>
-        <source>live expects virtual, poses, replay, pass, guide, room, show, change, stop or discard.</source>
-        <translation>live erwartet virtual, poses, replay, pass, guide, room, show, change, stop oder discard.</translation>
+        <source>&amp;Walls that were touched</source>
+        <translation>Berührte &amp;Wände</translation>
+    </message>
+    <message>
+        <source>Remove the room</source>
+        <translation type="unfinished">Raum entfernen</translation>
+    </message>
+    <message>
+        <source>live expects virtual, poses, replay, form, pass, guide, show, change, stop or discard.</source>
+        <translation>live erwartet virtual, poses, replay, form, pass, guide, show, change, stop oder discard.</translation>
     </message>
 </context>
 <context>
@@ -13078,10 +13086,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Raum wählen …</translation>
     </message>
     <message>
-        <source>Walls, tables, boxes and meshes (heft.room/1). “heft room” writes one from walls that were touched by hand.</source>
-        <translation>Wände, Tische, Quader und Netze (heft.room/1). „heft room“ schreibt einen aus Wänden, die von Hand berührt wurden.</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
@@ -13092,6 +13096,18 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Walls and tables are not known: what the coach proposes keeps the arm off itself and off its tool only.</source>
         <translation>Wände und Tische sind nicht bekannt: Was der Trainer vorschlägt, hält den Arm nur von sich selbst und seinem Werkzeug fern.</translation>
+    </message>
+    <message>
+        <source>A file with walls, tables, boxes and meshes (heft.room/1).</source>
+        <translation>Eine Datei mit Wänden, Tischen, Quadern und Netzen (heft.room/1).</translation>
+    </message>
+    <message>
+        <source>From touches</source>
+        <translation>Aus Berührungen</translation>
+    </message>
+    <message>
+        <source>Walls and tables that the tool was pressed against in this recording, by the tool’s shape and the direction of what presses back.</source>
+        <translation>Wände und Tische, gegen die das Werkzeug in dieser Aufnahme gedrückt wurde: aus der Form des Werkzeugs und der Richtung des Gegendrucks.</translation>
     </message>
 </context>
 <context>
@@ -13935,6 +13951,37 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>In %1 this weighs %2.</source>
         <translation>Aus %1 wiegt das %2.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::TouchedWalls</name>
+    <message>
+        <source>No touch in this recording shows a wall or a table. Press the tool against each and hold it for a second, with free motion between.</source>
+        <translation>Keine Berührung in dieser Aufnahme zeigt eine Wand oder einen Tisch. Drücken Sie das Werkzeug gegen jede Fläche und halten Sie es eine Sekunde, mit freier Bewegung dazwischen.</translation>
+    </message>
+    <message>
+        <source>Open a recording in which the tool is pressed against walls and tables first.</source>
+        <translation>Öffnen Sie zuerst eine Aufnahme, in der das Werkzeug gegen Wände und Tische gedrückt wird.</translation>
+    </message>
+    <message>
+        <source>The payload is needed to tell a touch from the tool’s weight; there is none yet.</source>
+        <translation>Um eine Berührung vom Gewicht des Werkzeugs zu trennen, wird die Last gebraucht; sie ist noch nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>State the tool’s shape first (step Shape): a wall begins where the tool ends.</source>
+        <translation>Geben Sie zuerst die Form des Werkzeugs an (Schritt Form): Eine Wand beginnt dort, wo das Werkzeug endet.</translation>
+    </message>
+    <message>
+        <source>Looking for walls that were touched</source>
+        <translation>Berührte Wände werden gesucht</translation>
+    </message>
+    <message>
+        <source>Walls that were touched</source>
+        <translation>Berührte Wände</translation>
+    </message>
+    <message>
+        <source>Found: %1. Saved as %2.</source>
+        <translation>Gefunden: %1. Gespeichert als %2.</translation>
     </message>
 </context>
 <context>

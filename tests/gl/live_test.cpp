@@ -123,7 +123,7 @@ TEST_F(LiveWindowTest, TheRoomStandsInTheViewAndTheGapTurnsRedWithinTheMargin) {
     return path;
   };
   const auto gapOf = [&](double height) {
-    EXPECT_TRUE(panel->obey({"live", "room", table(height)})->ok());
+    EXPECT_TRUE(panel->obey({"room", table(height)})->ok());
     panel->startVirtual(3, false, false);
     pass(2.0);
     return window.robotView()->gap();
@@ -136,7 +136,7 @@ TEST_F(LiveWindowTest, TheRoomStandsInTheViewAndTheGapTurnsRedWithinTheMargin) {
       for (int x = 0; x < picture.width(); ++x) count += picture.pixelColor(x, y) == bad;
     return count;
   };
-  EXPECT_FALSE(panel->obey({"live", "room", folder.filePath("none.json")})->ok());
+  EXPECT_FALSE(panel->obey({"room", folder.filePath("none.json")})->ok());
   EXPECT_TRUE(workspace.session().room.empty());
 
   const auto far = gapOf(0.25);

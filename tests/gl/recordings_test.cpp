@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QUndoStack>
 
+#include "core/collision/room.h"
 #include "tests/gl/window_fixture.h"
 #include "ui/main_window/tour.h"
 
@@ -143,6 +144,50 @@ TEST_F(RecordingsTest, TabsOfRecordStayUnderThePointer) {
   }
   EXPECT_EQ(tops[0], tops[1]);
   EXPECT_EQ(tops[0], tops[2]);
+}
+
+TEST_F(RecordingsTest, WallsThatTheToolTouchedBecomeTheRoom) {
+  SimulateOptions options;
+  options.motion = MotionKind::pickAndPlace;
+  options.seed = 3;
+  options.duration = 15.0;
+  options.rateHz = 200.0;
+  Payload tool;
+  tool.mass = 0.8;
+  tool.com = {0.005, -0.01, 0.06};
+  tool.inertiaCom = Vector3d(0.0021, 0.0019, 0.0012).asDiagonal();
+  open(writeSimulated(folder, tool, options));
+  window.showStep(Step::record);
+  settle();
+  auto* button = part<QPushButton>("roomFromTouches");
+  ASSERT_NE(button, nullptr);
+  QTest::mouseClick(button, Qt::LeftButton);
+  settle();
+  EXPECT_TRUE(workspace.session().room.empty()) << "where the tool ends is not known yet";
+
+  ShapeChoice pin;
+  pin.answer = ShapeChoice::Answer::given;
+  pin.shape = parseShape("cylinder:0.01,0.15@0,0,0.075").value();
+  workspace.setShape(pin, "pin");
+  settle();
+  button = part<QPushButton>("roomFromTouches");
+  ASSERT_NE(button, nullptr);
+  QTest::mouseClick(button, Qt::LeftButton);
+  settle();
+  const auto file = workspace.session().room;
+  ASSERT_EQ(file.filename(), "simulated.room.json");
+  const auto room = readRoom(file);
+  ASSERT_TRUE(room.ok());
+  EXPECT_GE(room->obstacles.size(), 1u);
+  EXPECT_TRUE(panelText().contains("simulated.room.json"));
+  // A second look replaces no file.
+  ASSERT_TRUE(window.panel(Step::record)->obey({"room", "touched"})->ok());
+  settle();
+  EXPECT_EQ(workspace.session().room.filename(), "simulated.room-2.json");
+  keepPicture(window, "recordings-touched");
+  workspace.undoStack()->undo();
+  workspace.undoStack()->undo();
+  EXPECT_TRUE(workspace.session().room.empty());
 }
 
 TEST_F(RecordingsTest, ButtonsOfThePanelsAreLargeEnoughForAFinger) {

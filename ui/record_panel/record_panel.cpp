@@ -35,6 +35,7 @@
 #include "ui/record_panel/recording_list.h"
 #include "ui/record_panel/samples.h"
 #include "ui/record_panel/source_form.h"
+#include "ui/record_panel/touched_walls.h"
 #include "ui/robot_view/robot_view.h"
 #include "ui/theme/icons.h"
 #include "ui/timeline/playback.h"
@@ -83,6 +84,10 @@ RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts), run_(only
   parts.followJobs(&looking_);
   parts.followJobs(&waiting_);
   parts.followJobs(&sampling_);
+  touchedWalls_ = new TouchedWalls(&workspace(), this);
+  parts.followJobs(&touchedWalls_->jobs());
+  connect(touchedWalls_, &TouchedWalls::ended, this,
+          [this](Severity severity, const QString& sentence) { this->parts().say(severity, sentence); });
   showRoom();
   if (run_->running()) {
     follow();
@@ -396,6 +401,11 @@ void RecordPanel::chooseRoom() {
     parts().say(Severity::error, QString::fromStdString(taken.error().message));
 }
 
+void RecordPanel::findTouchedWalls() {
+  if (const auto started = touchedWalls_->find(); !started)
+    parts().say(Severity::info, QString::fromStdString(started.error().message));
+}
+
 Result<bool> RecordPanel::setRoom(const QString& file) {
   const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
   if (const auto room = readRoom(path); !room) return room.error();
@@ -413,6 +423,8 @@ void RecordPanel::showRoom() {
 
 void RecordPanel::addActions(const StudioMenus& menus) {
   menus.tools->addAction(tr("Choose a &room …"), this, &RecordPanel::chooseRoom)->setObjectName("chooseRoomAction");
+  menus.tools->addAction(tr("&Walls that were touched"), this, &RecordPanel::findTouchedWalls)
+      ->setObjectName("touchedWallsAction");
   menus.file->addAction(tr("Save &recording as …"), this, &RecordPanel::saveRecordingAs)
       ->setObjectName("saveRecordingAs");
   menus.file->addAction(tr("Open the recordings f&older"), this, [] {

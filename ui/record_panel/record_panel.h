@@ -19,6 +19,7 @@ class FlangeGuide;
 class LiveBoard;
 class LiveStage;
 class SourceForm;
+class TouchedWalls;
 struct Sample;
 
 class RecordPanel : public StepPanel {
@@ -41,7 +42,8 @@ class RecordPanel : public StepPanel {
   void keepUnderWay() override;
   void addActions(const StudioMenus& menus) override;
   /// live virtual SECONDS [TOOL] | live poses SECONDS [TOOL] | live pass SECONDS | live replay FILE |
-  /// live guide DX DY DZ [RX RY RZ] | live room FILE | live show | live form | live stop | live discard
+  /// live guide DX DY DZ [RX RY RZ] | live show | live form | live stop | live discard
+  /// room FILE | room touched | room off
   std::optional<Result<bool>> obey(const QStringList& words) override;
 
   enum class Way { files, live, virtualArm };
@@ -67,6 +69,8 @@ class RecordPanel : public StepPanel {
   void addRecent(QVBoxLayout* column);
   void addRoom(QVBoxLayout* column);
   void chooseRoom();
+  /// Walls that were touched in the shown recording become the room.
+  void findTouchedWalls();
   /// Takes a room over where it can be read.
   Result<bool> setRoom(const QString& file);
   /// The session's room in the view.
@@ -99,6 +103,7 @@ class RecordPanel : public StepPanel {
   LiveBoard* board_ = nullptr;
   LiveStage* stage_ = nullptr;
   FlangeGuide* guide_ = nullptr;
+  TouchedWalls* touchedWalls_;
   int plotted_ = 0;
 };
 

@@ -46,6 +46,7 @@ void RecordPanel::refresh() {
       column = page()->restart(tr("What does your tool weigh?"), forFiles);
       addWays(column);
       addFiles(column);
+      if (workspace().opened()) addRoom(column);
       break;
     case Way::live: {
       column = page()->restart(tr("Listen to your robot"), forLive);
@@ -178,6 +179,7 @@ void RecordPanel::addVirtual(QVBoxLayout* column) {
 void RecordPanel::addRoom(QVBoxLayout* column) {
   auto* row = new RoomRow(&workspace(), page()->content());
   connect(row, &RoomRow::chooseWanted, this, &RecordPanel::chooseRoom);
+  connect(row, &RoomRow::touchedWanted, this, &RecordPanel::findTouchedWalls);
   column->addWidget(row);
 }
 

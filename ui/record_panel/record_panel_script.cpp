@@ -1,4 +1,4 @@
-// Lines of a script that make a recording: live ..., sample ...
+// Lines of a script that make a recording: live ..., sample ..., room ...
 #include <QFileInfo>
 #include <chrono>
 #include <thread>
@@ -9,6 +9,7 @@
 #include "ui/record_panel/flange_guide.h"
 #include "ui/record_panel/record_panel.h"
 #include "ui/record_panel/samples.h"
+#include "ui/record_panel/touched_walls.h"
 
 namespace heft {
 
@@ -18,6 +19,12 @@ std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
     for (const Sample& sample : samples())
       if (sample.file == QStringLiteral("sample-%1.csv").arg(words[1])) return openSample(sample), Result<bool>(true);
     return wrong(tr("sample expects clean, hose or delay."));
+  }
+  if (words[0] == "room" && words.size() == 2) {
+    if (words[1] == "touched") return touchedWalls_->find();
+    if (words[1] != "off") return setRoom(words[1]);
+    workspace().setRoom({}, tr("Remove the room"));
+    return Result<bool>(true);
   }
   if (words[0] != "live") return std::nullopt;
   const QString what = words.value(1);
@@ -39,7 +46,6 @@ std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
     run_->pass(seconds);
     return Result<bool>(true);
   }
-  if (what == "room" && words.size() == 3) return setRoom(words[2]);
   if (what == "form") {
     way_ = Way::live;
     refresh();
@@ -94,7 +100,7 @@ std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
     showNoLive();
     return Result<bool>(true);
   }
-  return wrong(tr("live expects virtual, poses, replay, pass, guide, room, show, change, stop or discard."));
+  return wrong(tr("live expects virtual, poses, replay, form, pass, guide, show, change, stop or discard."));
 }
 
 }  // namespace heft

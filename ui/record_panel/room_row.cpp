@@ -28,25 +28,31 @@ RoomRow::RoomRow(Workspace* workspace, QWidget* parent) : QWidget(parent), works
   auto* buttons = new QHBoxLayout;
   choose_ = new QPushButton(tr("Choose a room …"), this);
   choose_->setObjectName("chooseRoom");
-  choose_->setToolTip(
-      tr("Walls, tables, boxes and meshes (heft.room/1). “heft room” writes one from walls that were "
-         "touched by hand."));
+  choose_->setToolTip(tr("A file with walls, tables, boxes and meshes (heft.room/1)."));
+  touched_ = new QPushButton(tr("From touches"), this);
+  touched_->setObjectName("roomFromTouches");
+  touched_->setToolTip(
+      tr("Walls and tables that the tool was pressed against in this recording, by the tool’s shape and the direction "
+         "of what presses back."));
   remove_ = new QPushButton(tr("Remove"), this);
   remove_->setObjectName("removeRoom");
-  for (QPushButton* button : {choose_, remove_}) {
+  for (QPushButton* button : {choose_, touched_, remove_}) {
     button->setProperty("role", "plain");
     buttons->addWidget(button);
   }
   buttons->addStretch(1);
   column->addLayout(buttons);
   connect(choose_, &QPushButton::clicked, this, &RoomRow::chooseWanted);
+  connect(touched_, &QPushButton::clicked, this, &RoomRow::touchedWanted);
   connect(remove_, &QPushButton::clicked, this, [this] { workspace_->setRoom({}, tr("Remove the room")); });
   connect(workspace_, &Workspace::roomChanged, this, &RoomRow::refresh);
+  connect(workspace_, &Workspace::openedChanged, this, &RoomRow::refresh);
   refresh();
 }
 
 void RoomRow::refresh() {
   const auto& file = workspace_->session().room;
+  touched_->setVisible(workspace_->opened() != nullptr);
   remove_->setVisible(!file.empty());
   if (file.empty())
     return words_->setText(

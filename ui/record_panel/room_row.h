@@ -17,13 +17,15 @@ class RoomRow : public QWidget {
 
  signals:
   void chooseWanted();
+  /// From walls that the tool touched in the shown recording.
+  void touchedWanted();
 
  private:
   void refresh();
 
   Workspace* workspace_;
   QLabel* words_;
-  QPushButton *choose_, *remove_;
+  QPushButton *choose_, *touched_, *remove_;
 };
 
 /// "workshop.json: 3 obstacles, nothing comes nearer than 20 mm"

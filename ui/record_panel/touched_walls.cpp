@@ -1,0 +1,76 @@
+#include "ui/record_panel/touched_walls.h"
+
+#include <QFileInfo>
+#include <nlohmann/json.hpp>
+
+#include "core/base/json_file.h"
+#include "core/compensation/touched_room.h"
+#include "ui/controller/workspace.h"
+
+namespace heft {
+namespace {
+
+Result<Room> roomIn(const Snapshot& now, const EstimateReport& report, const Shape& tool, const Progress& progress) {
+  const Recording recording = now.recording();
+  const auto settings = compensateOptionsFromJson(toJson(report), recording.file);
+  if (!settings) return settings.error();
+  const auto compensated = compensate(recording, now.robot(), *settings, progress);
+  if (!compensated) return compensated.error();
+  const auto touched = touchedRoom(recording, now.robot(), *compensated, tool);
+  if (!touched) return touched.error();
+  if (touched->planes.empty()) {
+    QString why = TouchedWalls::tr(
+        "No touch in this recording shows a wall or a table. Press the tool against each and hold it for a second, "
+        "with "
+        "free motion between.");
+    for (const Finding& finding : touched->findings) why += QLatin1Char(' ') + QString::fromStdString(finding.text);
+    return Error{why.toStdString()};
+  }
+  return roomOf(*touched, Room{}.margin);
+}
+
+/// REC.room.json beside the recording, numbered where that is taken.
+QString fileFor(const QString& recording) {
+  const QFileInfo info(recording);
+  const QString stem = info.absolutePath() + QLatin1Char('/') + info.completeBaseName() + QStringLiteral(".room");
+  QString file = stem + QStringLiteral(".json");
+  for (int i = 2; QFileInfo::exists(file); ++i) file = stem + QStringLiteral("-%1.json").arg(i);
+  return file;
+}
+
+}  // namespace
+
+TouchedWalls::TouchedWalls(Workspace* workspace, QObject* parent) : QObject(parent), workspace_(workspace) {}
+
+Result<bool> TouchedWalls::find() {
+  const auto opened = workspace_->opened();
+  if (!opened)
+    return Error{tr("Open a recording in which the tool is pressed against walls and tables first.").toStdString()};
+  const auto report = workspace_->report();
+  if (!report)
+    return Error{tr("The payload is needed to tell a touch from the tool’s weight; there is none yet.").toStdString()};
+  const Snapshot now = workspace_->snapshot();
+  if (!now.options.shape)
+    return Error{tr("State the tool’s shape first (step Shape): a wall begins where the tool ends.").toStdString()};
+  jobs_.start(
+      tr("Looking for walls that were touched"),
+      [now, report, tool = *now.options.shape](const Progress& progress) {
+        return roomIn(now, *report, tool, progress);
+      },
+      [this, recording = opened->path](Result<Room> room) {
+        const auto fail = [this](const Error& error) {
+          if (!error.cancelled) emit ended(Severity::error, QString::fromStdString(error.message));
+        };
+        if (!room) return fail(room.error());
+        const QString file = fileFor(recording);
+        if (const auto written = writeTextFile(file.toStdString(), toJson(*room).dump(2) + "\n"); !written)
+          return fail(written.error());
+        workspace_->setRoom(file.toStdString(), tr("Walls that were touched"));
+        QStringList names;
+        for (const Obstacle& obstacle : room->obstacles) names << QString::fromStdString(obstacle.name);
+        emit ended(Severity::info, tr("Found: %1. Saved as %2.").arg(names.join(QStringLiteral(", ")), file));
+      });
+  return true;
+}
+
+}  // namespace heft
