@@ -12403,7 +12403,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     </message>
     <message>
         <source>Remove the room</source>
-        <translation type="unfinished">Raum entfernen</translation>
+        <translation>Raum entfernen</translation>
     </message>
     <message>
         <source>live expects virtual, poses, replay, form, pass, guide, show, change, stop or discard.</source>
