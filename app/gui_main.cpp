@@ -153,7 +153,7 @@ int main(int argc, char** argv) {
       "  heft-studio --offscreen rec.csv -o picture.png\n"
       "  heft-studio --offscreen --script walk.txt\n\n"
       "Lines of a script:\n" +
-      heft::ScriptRunner::help() +
+      heft::scriptHelp(heft::ScriptRunner::forms()) +
       "\n"
       "Exit codes: 0 success, 1 failure, 2 usage error.");
   try {

@@ -12405,10 +12405,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>Remove the room</source>
         <translation>Raum entfernen</translation>
     </message>
-    <message>
-        <source>live expects virtual, poses, replay, form, pass, guide, show, change, stop or discard.</source>
-        <translation>live erwartet virtual, poses, replay, form, pass, guide, show, change, stop oder discard.</translation>
-    </message>
 </context>
 <context>
     <name>heft::RecordingList</name>
@@ -13149,10 +13145,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Es gibt keinen Knopf %1, der jetzt gedrückt werden könnte.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no command of a script, or its words are wrong; see heft-studio --help.</source>
-        <translation>„%1“ ist kein Befehl eines Skripts, oder seine Wörter stimmen nicht; siehe heft-studio --help.</translation>
-    </message>
-    <message>
         <source>robot needs an open recording.</source>
         <translation>robot braucht eine offene Aufnahme.</translation>
     </message>
@@ -13167,6 +13159,14 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>%1 is no unit; units expects kg, g, mm, inch, Nm, Nmm, degrees or radians.</source>
         <translation>%1 ist keine Einheit; units erwartet kg, g, mm, inch, Nm, Nmm, degrees oder radians.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has none of the forms: %2</source>
+        <translation>„%1“ passt zu keiner der Formen: %2</translation>
+    </message>
+    <message>
+        <source>Unknown command &quot;%1&quot;; see heft-studio --help.</source>
+        <translation>Unbekannter Befehl „%1“; siehe heft-studio --help.</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,7 @@
 
 #include "core/collision/room.h"
 #include "tests/gl/window_fixture.h"
+#include "ui/main_window/panels.h"
 #include "ui/main_window/tour.h"
 
 namespace heft {
@@ -144,6 +145,24 @@ TEST_F(RecordingsTest, TabsOfRecordStayUnderThePointer) {
   }
   EXPECT_EQ(tops[0], tops[1]);
   EXPECT_EQ(tops[0], tops[2]);
+}
+
+TEST_F(RecordingsTest, WhatTheHelpSaysOfScriptsIsObeyed) {
+  const ScriptForms forms = panelScriptForms();
+  EXPECT_GT(forms.size(), 15u);
+  for (const auto& each : forms)
+    for (const QString& form : QString::fromUtf8(each.form.data(), static_cast<int>(each.form.size())).split(" | ")) {
+      QStringList words;
+      for (const QString& word : form.split(' ')) {
+        if (word.startsWith('[') || word == "...") break;
+        words << (word == word.toUpper() ? QStringLiteral("1") : word.section('|', 0, 0));
+      }
+      bool known = false;
+      for (const Step step : kAllSteps)
+        if (const auto obeyed = window.panel(step)->obey(words)) known = true;
+      EXPECT_TRUE(known) << form.toStdString();
+      settle(0);
+    }
 }
 
 TEST_F(RecordingsTest, WallsThatTheToolTouchedBecomeTheRoom) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "ui/steps/script_help.h"
 #include "ui/studio/script.h"
 
 namespace heft {
@@ -18,6 +19,16 @@ TEST(Script, SplitsWordsAndKeepsLineNumbers) {
   const auto broken = parseScript("open \"a\nstep mark", "walk.txt");
   ASSERT_FALSE(broken.ok());
   EXPECT_EQ(broken.error().message.find("walk.txt:1:"), 0u) << broken.error().message;
+}
+
+TEST(Script, FormsAreFoundByTheirVerb) {
+  const ScriptForms forms{{"mark FROM TO LABEL", "marks"}, {"undo | redo", ""}, {"live stop | live go on", "a run"}};
+  EXPECT_EQ(formsOf(forms, "mark"), "mark FROM TO LABEL");
+  EXPECT_EQ(formsOf(forms, "redo"), "redo");
+  EXPECT_EQ(formsOf(forms, "live"), "live stop | live go on");
+  EXPECT_EQ(formsOf(forms, "liv"), "");
+  EXPECT_EQ(scriptHelp(forms),
+            "  mark FROM TO LABEL                marks\n  undo | redo\n  live stop | live go on            a run\n");
 }
 
 TEST(Script, TheScreenHoldsTheLargestWindow) {

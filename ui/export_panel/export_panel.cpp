@@ -435,6 +435,12 @@ void ExportPanel::copy() {
   parts().say(Severity::info, tr("The file was copied to the clipboard."));
 }
 
+ScriptForms ExportPanel::scriptForms() {
+  ScriptForms forms{{"export FORMAT FILE [replace]", "write the payload file"}};
+  for (const ScriptForms& more : {ProofCard::scriptForms()}) forms.insert(forms.end(), more.begin(), more.end());
+  return forms;
+}
+
 std::optional<Result<bool>> ExportPanel::obey(const QStringList& words) {
   if (auto obeyed = proof_->obey(words)) return obeyed;
   if (words[0] != "export") return std::nullopt;

@@ -31,6 +31,7 @@ class ExportPanel : public StepPanel {
   Below below() const override { return Below::own; }
   QWidget* ownPane() override;
   double viewShare() const override { return 0.52; }
+  static ScriptForms scriptForms();
   std::optional<Result<bool>> obey(const QStringList& words) override;
 
   /// Writes the file; an existing one is replaced only with `replace`.

@@ -191,6 +191,12 @@ Result<bool> ProofCard::savePassport(const QString& file, const QString& tool, c
   return writePassport(content, file, before, replace);
 }
 
+ScriptForms ProofCard::scriptForms() {
+  return {{"prove FILE | prove live", "check the numbers on another recording, or on what comes in"},
+          {"passport FILE [tool NAME] [since FILE] [replace]",
+           "the tool's passport, .pdf and .json; what changed since an earlier one"}};
+}
+
 std::optional<Result<bool>> ProofCard::obey(const QStringList& words) {
   if (words[0] == "prove") {
     if (words.size() != 2) return Result<bool>(sentence(tr("prove expects a recording, or live: prove check.csv.")));

@@ -24,7 +24,8 @@ class ProofCard : public QObject {
   Result<bool> prove(const QString& recording);
   /// On what a live run has recorded so far.
   Result<bool> proveLive();
-  /// prove FILE | prove live | passport FILE [tool NAME] [since FILE] [replace]
+  /// Lines of a script that this obeys.
+  static ScriptForms scriptForms();
   std::optional<Result<bool>> obey(const QStringList& words);
 
  signals:

@@ -9,11 +9,35 @@
 
 namespace heft {
 
+namespace {
+
+/// What every step's class has.
+struct PanelKind {
+  StepPanel* (*make)(const StudioParts& parts);
+  ScriptForms (*scriptForms)();
+};
+
+template <class Panel>
+constexpr PanelKind kind() {
+  return {[](const StudioParts& parts) -> StepPanel* { return new Panel(parts); }, &Panel::scriptForms};
+}
+
+constexpr PanelKind kPanels[] = {kind<RecordPanel>(), kind<MarkPanel>(),    kind<ShapePanel>(),
+                                 kind<ResultStep>(),  kind<RealityPanel>(), kind<ExportPanel>()};
+
+}  // namespace
+
 std::vector<StepPanel*> makePanels(const StudioParts& parts) {
-  return {
-      new RecordPanel(parts), new MarkPanel(parts),    new ShapePanel(parts),
-      new ResultStep(parts),  new RealityPanel(parts), new ExportPanel(parts),
-  };
+  std::vector<StepPanel*> panels;
+  for (const PanelKind& each : kPanels) panels.push_back(each.make(parts));
+  return panels;
+}
+
+ScriptForms panelScriptForms() {
+  ScriptForms forms;
+  for (const PanelKind& each : kPanels)
+    for (const ScriptForm& form : each.scriptForms()) forms.push_back(form);
+  return forms;
 }
 
 }  // namespace heft

@@ -394,6 +394,10 @@ bool MarkPanel::keyPressed(QKeyEvent* event) {
   return true;
 }
 
+ScriptForms MarkPanel::scriptForms() {
+  return {{"mark FROM TO LABEL", "free, contact, ignore or suggested"}, {"accept", "accept all suggested marks"}};
+}
+
 std::optional<Result<bool>> MarkPanel::obey(const QStringList& words) {
   if (words[0] == "accept" && words.size() == 1) {
     acceptAll();

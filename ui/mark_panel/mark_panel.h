@@ -29,6 +29,7 @@ class MarkPanel : public StepPanel {
   void addActions(const StudioMenus& menus) override;
   void setDetailsShown(bool shown) override;
   bool keyPressed(QKeyEvent* event) override;
+  static ScriptForms scriptForms();
   std::optional<Result<bool>> obey(const QStringList& words) override;
 
  protected:

@@ -192,6 +192,11 @@ void LessonGuide::addActions(QMenu* practice, QWidget* owner) {
   });
 }
 
+ScriptForms LessonGuide::scriptForms() {
+  return {{"lesson NUMBER | lesson FILE | lesson next|back|off | lesson answer NUMBER",
+           "a guided lesson: 1 to 6, or a teacher's"}};
+}
+
 std::optional<Result<bool>> LessonGuide::obey(const QStringList& words) {
   if (words[0] != "lesson") return std::nullopt;
   const auto refuse = [](const QString& why) { return Result<bool>(Error{why.toStdString()}); };

@@ -42,7 +42,8 @@ class LessonGuide : public QObject {
   bool first() const { return step_ == 0; }
 
   void addActions(QMenu* practice, QWidget* owner);
-  /// lesson NUMBER | lesson FILE | lesson next | lesson back | lesson answer NUMBER | lesson off
+  /// Lines of a script that this obeys.
+  static ScriptForms scriptForms();
   std::optional<Result<bool>> obey(const QStringList& words);
 
  signals:

@@ -40,6 +40,7 @@ class RealityPanel : public StepPanel {
   double viewShare() const override { return 0.5; }
   QString hint() const override;
   void addActions(const StudioMenus& menus) override;
+  static ScriptForms scriptForms();
   std::optional<Result<bool>> obey(const QStringList& words) override;
 
   /// Looks for causes in the shown recording, in a job.

@@ -43,6 +43,19 @@ void RealityPanel::addActions(const StudioMenus& menus) {
     menus.practice->addAction(tr("Riddle &%1").arg(seed), this, [this, seed] { practise(seed); });
 }
 
+ScriptForms RealityPanel::scriptForms() {
+  ScriptForms forms{{"diagnose", "look for causes (reality check)"},
+                    {"apply CAUSE | takeback CAUSE", "a correction, by the cause's name in files"},
+                    {"check FILE", "the causes found, on another open recording"},
+                    {"look plots|time|frequency|motion [WITNESS]", "the difference views"},
+                    {"meta FILE [replace]", "the corrected setup file that the causes ask for"},
+                    {"report FILE [replace]", "of the whole session, .html or .pdf"},
+                    {"practice NUMBER | guess CAUSE", "a recording with a hidden fault"}};
+  for (const ScriptForms& more : {WhatIfKnobs::scriptForms(), LessonGuide::scriptForms()})
+    forms.insert(forms.end(), more.begin(), more.end());
+  return forms;
+}
+
 std::optional<Result<bool>> RealityPanel::obey(const QStringList& words) {
   const QString& verb = words[0];
   const auto arguments = words.size() - 1;

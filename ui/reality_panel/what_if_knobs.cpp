@@ -155,6 +155,10 @@ Result<bool> WhatIfKnobs::turnTo(const QString& cause, double value) {
   return true;
 }
 
+ScriptForms WhatIfKnobs::scriptForms() {
+  return {{"whatif CAUSE SIZE ... | whatif on|off", "what a fault of that size would do to the open recording"}};
+}
+
 std::optional<Result<bool>> WhatIfKnobs::obey(const QStringList& words) {
   if (words[0] != "whatif") return std::nullopt;
   if (words.size() == 2 && words[1] == "off") return setOn(false), Result<bool>(true);

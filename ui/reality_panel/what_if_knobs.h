@@ -39,7 +39,8 @@ class WhatIfKnobs : public QObject {
   const WhatIf& whatIf() const { return *whatIf_; }
   /// Null before one was turned or made ready.
   const WhatIfState* state() const { return state_ ? &*state_ : nullptr; }
-  /// whatif CAUSE SIZE ... | whatif on | whatif off
+  /// Lines of a script that this obeys.
+  static ScriptForms scriptForms();
   std::optional<Result<bool>> obey(const QStringList& words);
 
  signals:

@@ -41,9 +41,7 @@ class RecordPanel : public StepPanel {
   bool mayEnd() override;
   void keepUnderWay() override;
   void addActions(const StudioMenus& menus) override;
-  /// live virtual SECONDS [TOOL] | live poses SECONDS [TOOL] | live pass SECONDS | live replay FILE |
-  /// live guide DX DY DZ [RX RY RZ] | live show | live form | live stop | live discard
-  /// room FILE | room touched | room off
+  static ScriptForms scriptForms();
   std::optional<Result<bool>> obey(const QStringList& words) override;
 
   enum class Way { files, live, virtualArm };

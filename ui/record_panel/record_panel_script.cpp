@@ -13,6 +13,16 @@
 
 namespace heft {
 
+ScriptForms RecordPanel::scriptForms() {
+  return {{"sample clean|hose|delay", "a recording to try with, made by the simulation"},
+          {"live virtual|poses SECONDS [TOOL]", "the virtual arm, moving by itself; TOOL chooses what it carries"},
+          {"live replay FILE", "a recording as if it came in now"},
+          {"live pass SECONDS | live guide DX DY DZ [RX RY RZ]", "time goes on; the hand moves the tool [m, rad]"},
+          {"live show | live change | live form", "what the coach suggests; another tool; the form for a robot"},
+          {"live stop | live discard", "keep what came and open it, or not"},
+          {"room FILE | room touched | room off", "what is in the way: a file, or walls that the tool touched"}};
+}
+
 std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
   const auto wrong = [](const QString& sentence) { return Result<bool>(Error{sentence.toStdString()}); };
   if (words[0] == "sample" && words.size() == 2) {
@@ -100,7 +110,7 @@ std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
     showNoLive();
     return Result<bool>(true);
   }
-  return wrong(tr("live expects virtual, poses, replay, form, pass, guide, show, change, stop or discard."));
+  return std::nullopt;
 }
 
 }  // namespace heft

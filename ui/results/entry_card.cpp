@@ -153,6 +153,11 @@ void EntryCard::askFile() {
     parts_.say(Severity::error, QString::fromStdString(read.error().message));
 }
 
+ScriptForms EntryCard::scriptForms() {
+  return {{"controller MASS [at X,Y,Z] | controller FILE | controller off",
+           "what the controller is set to: kg, mm from the flange; or a payload file"}};
+}
+
 std::optional<Result<bool>> EntryCard::obey(const QStringList& words) {
   if (words[0] != "controller") return std::nullopt;
   const Error wrong{tr("controller expects a mass in kg and perhaps a place in mm, a payload file, or off: controller "

@@ -26,7 +26,8 @@ class EntryCard : public QObject {
   void setShown(bool shown);
   void ask();
   void askFile();
-  /// controller MASS [at X,Y,Z] | controller FILE | controller off
+  /// Lines of a script that this obeys.
+  static ScriptForms scriptForms();
   std::optional<Result<bool>> obey(const QStringList& words);
 
  signals:

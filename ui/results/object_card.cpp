@@ -93,6 +93,11 @@ void ObjectCard::askMinus() {
   if (!file.isEmpty()) tell(objects_->findMinus(file));
 }
 
+ScriptForms ObjectCard::scriptForms() {
+  return {{"object picked-up | object minus FILE | object off",
+           "what the tool carries: from this recording, or by one without it"}};
+}
+
 std::optional<Result<bool>> ObjectCard::obey(const QStringList& words) {
   if (words[0] != "object") return std::nullopt;
   if (words.size() == 2 && words[1] == "picked-up") return waiting_ = true, objects_->findPickedUp();

@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "ui/controller/carried_objects.h"
+#include "ui/steps/script_help.h"
 #include "ui/steps/studio_parts.h"
 
 class QVBoxLayout;
@@ -21,7 +22,8 @@ class ObjectCard : public QObject {
   void addTo(QVBoxLayout* column, QWidget* content);
   void findPickedUp();
   void askMinus();
-  /// object picked-up | object minus FILE | object off
+  /// Lines of a script that this obeys.
+  static ScriptForms scriptForms();
   std::optional<Result<bool>> obey(const QStringList& words);
 
  signals:

@@ -129,6 +129,13 @@ void ResultStep::addActions(const StudioMenus& menus) {
   });
 }
 
+ScriptForms ResultStep::scriptForms() {
+  ScriptForms forms{{"compare", "all methods side by side"}};
+  for (const ScriptForms& more : {EntryCard::scriptForms(), ObjectCard::scriptForms()})
+    forms.insert(forms.end(), more.begin(), more.end());
+  return forms;
+}
+
 std::optional<Result<bool>> ResultStep::obey(const QStringList& words) {
   if (auto obeyed = entry_->obey(words)) return obeyed;
   if (auto obeyed = object_->obey(words)) return obeyed;

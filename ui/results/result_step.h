@@ -25,6 +25,7 @@ class ResultStep : public StepPanel {
   Below below() const override { return comparing_ ? Below::own : Below::plots; }
   QWidget* ownPane() override;
   void addActions(const StudioMenus& menus) override;
+  static ScriptForms scriptForms();
   std::optional<Result<bool>> obey(const QStringList& words) override;
 
   /// Every method on the open recording, in a job; the table stands under the 3D view.

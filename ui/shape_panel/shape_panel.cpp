@@ -301,6 +301,13 @@ void ShapePanel::dragHandle(const HandleDrag& drag) {
 
 // ---- scripts
 
+ScriptForms ShapePanel::scriptForms() {
+  return {{"shape PICTURE [SIZES] [at X,Y,Z] ... [wall MM] [weighs KG] [of MATERIAL] [CERTAINTY]",
+           "shape box 60x40x120 at 0,0,60; steel, aluminium, plastic, wood; rough, good, exact"},
+          {"shape mesh FILE [mm] | shape unknown", ""},
+          {"handles size|move|tilt", "what dragging the tool in the 3D view does"}};
+}
+
 std::optional<Result<bool>> ShapePanel::obey(const QStringList& words) {
   if (words[0] == "handles") {
     const QStringList names{"size", "move", "tilt"};

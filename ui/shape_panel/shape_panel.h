@@ -41,6 +41,7 @@ class ShapePanel : public StepPanel {
   QString hint() const override;
   bool keyPressed(QKeyEvent* event) override;
   void addActions(const StudioMenus& menus) override;
+  static ScriptForms scriptForms();
   std::optional<Result<bool>> obey(const QStringList& words) override;
 
   /// Several bodies: joins a CAD file to them, at their end.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/base/result.h"
+#include "ui/steps/script_help.h"
 #include "ui/steps/step.h"
 #include "ui/steps/studio_parts.h"
 #include "ui/widgets/panel_page.h"
@@ -62,8 +63,9 @@ class StepPanel : public QWidget {
   /// Adds actions once, while the window is being built.
   virtual void addActions(const StudioMenus&) {}
 
-  /// Carries out a line of a script (words[0] is the verb). Nothing if the verb is not this panel's; an error says
-  /// what is wrong with it. The script goes on when the window has nothing under way any more.
+  /// Carries out a line of a script (words[0] is the verb). Nothing if it has none of the forms that the class's
+  /// scriptForms() lists; an error says what is wrong with it. The script goes on when the window has nothing under way
+  /// any more.
   virtual std::optional<Result<bool>> obey(const QStringList& words) {
     Q_UNUSED(words);
     return std::nullopt;

@@ -10,6 +10,7 @@
 #include "core/base/json_file.h"
 #include "ui/controller/robot_choice.h"
 #include "ui/main_window/main_window.h"
+#include "ui/main_window/panels.h"
 #include "ui/models/units.h"
 #include "ui/robot_view/robot_view.h"
 #include "ui/studio/studio.h"
@@ -30,59 +31,27 @@ Error wrong(const QString& sentence) { return Error{sentence.toStdString()}; }
 
 }  // namespace
 
-std::string ScriptRunner::help() {
-  return "  open FILE ...                     recordings, or a session (.heft)\n"
-         "  sample clean|hose|delay           a recording to try with, made by the simulation\n"
-         "  robot FILE                        the robot that was recorded (URDF); goes into the recording's setup "
-         "file\n"
-         "  step NAME                         record, mark, shape, result, reality-check, export\n"
-         "  estimate                          estimate again\n"
-         "  compare                           all methods side by side\n"
-         "  controller MASS [at X,Y,Z] | controller FILE | controller off\n"
-         "                                    what the controller is set to: kg, mm from the flange; or a payload "
-         "file\n"
-         "  object picked-up | object minus FILE | object off\n"
-         "                                    what the tool carries: from this recording, or by one without it\n"
-         "  diagnose                          look for causes (reality check)\n"
-         "  apply CAUSE | takeback CAUSE      a correction, by the cause's name in files\n"
-         "  check FILE                        the causes found, on another open recording\n"
-         "  look plots|time|frequency|motion [WITNESS]\n"
-         "  meta FILE [replace]               the corrected setup file that the causes ask for\n"
-         "  report FILE [replace]             of the whole session, .html or .pdf\n"
-         "  whatif CAUSE SIZE ... | whatif on|off\n"
-         "                                    what a fault of that size would do to the open recording\n"
-         "  lesson NUMBER | lesson FILE | lesson next|back|off | lesson answer NUMBER\n"
-         "                                    a guided lesson: 1 to 6, or a teacher's\n"
-         "  practice NUMBER | guess CAUSE     a recording with a hidden fault\n"
-         "  mark FROM TO LABEL                free, contact, ignore or suggested\n"
-         "  accept                            accept all suggested marks\n"
-         "  live virtual|poses SECONDS [TOOL] the virtual arm, moving by itself; TOOL chooses what it carries\n"
-         "  live replay FILE                  a recording as if it came in now\n"
-         "  live pass SECONDS | live guide DX DY DZ [RX RY RZ] | live show | live change | live form\n"
-         "  live stop | live discard          keep what came and open it, or not\n"
-         "  room FILE | room touched | room off\n"
-         "                                    what is in the way: a file, or walls that the tool touched in this "
-         "recording\n"
-         "  shape PICTURE [SIZES] [at X,Y,Z] ... shape box 60x40x120 at 0,0,60; shape mesh FILE [mm]; shape unknown\n"
-         "        [wall MM] [weighs KG] [of steel|aluminium|plastic|wood] [rough|good|exact]\n"
-         "  handles size|move|tilt            what dragging the tool in the 3D view does\n"
-         "  export FORMAT FILE [replace]      write the payload file\n"
-         "  prove FILE | prove live           check the numbers on another recording, or on what comes in\n"
-         "  passport FILE [tool NAME] [since FILE] [replace]\n"
-         "                                    the tool's passport, .pdf and .json; what changed since an earlier one\n"
-         "  save FILE [replace]               save the session\n"
-         "  undo | redo\n"
-         "  time SECONDS | zoom FROM TO       instant shown, segment in the plots\n"
-         "  channels ID ... | channels none   further channels in the plots: q1, dq1, px, roll, speed, force ...\n"
-         "  alone view|plots|off              one pane without the rest\n"
-         "  measure A B | table FILE          two cursors; the visible segment as CSV\n"
-         "  camera NAME                       whole, tool, front, side, top\n"
-         "  details on|off | theme light|dark | language en|de | size WIDTHxHEIGHT\n"
-         "  units WORD ...                    kg or g, mm or inch, Nm or Nmm, degrees or radians\n"
-         "  manual                            open or close the manual\n"
-         "  click NAME                        a button by its object name\n"
-         "  picture FILE [window|view|plots|panel]\n"
-         "  wait SECONDS\n";
+ScriptForms ScriptRunner::forms() {
+  ScriptForms all{{"open FILE ...", "recordings, or a session (.heft)"},
+                  {"robot FILE", "the robot that was recorded (URDF); goes into the recording's setup file"},
+                  {"step NAME", "record, mark, shape, result, reality-check, export"},
+                  {"estimate", "estimate again"}};
+  const ScriptForms window{
+      {"save FILE [replace]", "save the session"},
+      {"undo | redo", ""},
+      {"time SECONDS | zoom FROM TO", "instant shown, segment in the plots"},
+      {"channels ID ... | channels none", "further channels in the plots: q1, dq1, px, roll, speed, force ..."},
+      {"alone view|plots|off", "one pane without the rest"},
+      {"measure A B | table FILE", "two cursors; the visible segment as CSV"},
+      {"camera NAME", "whole, tool, front, side, top"},
+      {"details on|off | theme light|dark | language en|de | size WIDTHxHEIGHT", ""},
+      {"units WORD ...", "kg or g, mm or inch, Nm or Nmm, degrees or radians"},
+      {"manual", "open or close the manual"},
+      {"click NAME", "a button by its object name"},
+      {"picture FILE [window|view|plots|panel]", ""},
+      {"wait SECONDS", ""}};
+  for (const ScriptForms& more : {panelScriptForms(), window}) all.insert(all.end(), more.begin(), more.end());
+  return all;
 }
 
 ScriptRunner::ScriptRunner(Studio* studio, std::vector<ScriptLine> lines, const std::string& name)
@@ -274,8 +243,9 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
     if (!panel) continue;
     if (auto obeyed = panel->obey(words)) return *obeyed;
   }
-  return wrong(
-      tr("\"%1\" is no command of a script, or its words are wrong; see heft-studio --help.").arg(words.join(' ')));
+  if (const std::string known = formsOf(forms(), verb.toStdString()); !known.empty())
+    return wrong(tr("\"%1\" has none of the forms: %2").arg(words.join(' '), QString::fromStdString(known)));
+  return wrong(tr("Unknown command \"%1\"; see heft-studio --help.").arg(verb));
 }
 
 }  // namespace heft

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "ui/steps/script_help.h"
 #include "ui/studio/script.h"
 
 namespace heft {
@@ -25,8 +26,8 @@ class ScriptRunner : public QObject {
   /// is open; the outcome is a failure all the same.
   void start(bool goOn = false);
 
-  /// The verbs that the runner itself knows, for --help; the steps' panels add theirs.
-  static std::string help();
+  /// All lines that a script may have: the runner's own and those of the steps' panels.
+  static ScriptForms forms();
 
  signals:
   /// Empty after success, otherwise one sentence.
