@@ -1,4 +1,5 @@
 #include "core/diagnosis/what_if.h"
+#include "core/diagnosis/model/linearisation.h"
 
 #include <algorithm>
 #include <cmath>

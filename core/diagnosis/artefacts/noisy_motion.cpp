@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/diagnosis/model/linearisation.h"
 #include "core/math/statistics.h"
 
 namespace heft::diagnosis {

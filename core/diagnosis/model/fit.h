@@ -4,6 +4,7 @@
 
 #include "core/diagnosis/model/channel_columns.h"
 #include "core/diagnosis/model/forward_model.h"
+#include "core/diagnosis/model/linearisation.h"
 #include "core/diagnosis/model/noise.h"
 #include "core/math/linear_algebra.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// Bias, payload and accepted causes together: what the sensor should have read, and how that changes with each
-// parameter.
+// Bias, payload and accepted causes together: what the sensor should have read.
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -42,6 +42,28 @@ std::vector<IndexedTerm> indexedTerms(const Model& model);
 /// Wrench of the ten parameters under `kinematics`, 6 x K.
 Wrenches payloadWrench(const Kinematics& kinematics, const Vector10d& phi);
 
+/// Terms of one model, in the order in which they act.
+using Order = std::vector<const Term*>;
+
+Order inOrder(const std::vector<Term>& terms);
+
+/// The motion as the terms from `first` on bend it; `from`: as those before bend it.
+Kinematics bent(const Signals& signals, const Order& terms, std::size_t first, Kinematics from);
+/// As all bend it.
+Kinematics bent(const Signals& signals, const Order& terms);
+
+/// What the sensor makes of its load. `linearOnly`: what it makes of something added to the load.
+void throughSensor(const Signals& signals, const Order& terms, Wrenches& w, bool linearOnly);
+
+/// What the sensor carries.
+Wrenches loads(const Signals& signals, const Model& model, const Order& terms, const Kinematics& kinematics);
+
+/// The same as the sensor tells it, but for what adds to its readings.
+Wrenches sensed(const Signals& signals, const Order& terms, Wrenches load);
+
+/// With that, too.
+Wrenches readings(const Signals& signals, const Model& model, const Order& terms, Wrenches sensed);
+
 /// What the sensor should have read at the full rate, 6 x K.
 Wrenches predicted(const Signals& signals, const Model& model);
 
@@ -61,49 +83,5 @@ Shift shiftBetween(const Term& from, const Term& to);
 /// Whether the term changes what the sensor makes of a force, and of a sum what it makes of its parts: columns of the
 /// other terms go through it. The end of a range and a memory are linearised without.
 bool changesSums(const Term& term);
-
-/// How valueOf() changes with each parameter: 6N x size(), row 6 n + channel. They follow the model from step to step
-/// of a fit: columns that do not depend on what moved, or hardly, are kept. The signals must outlive them.
-class CachedJacobian {
- public:
-  CachedJacobian(const Signals& signals, const Model& model);
-  /// Of a model that may begin with the terms of the one that others are known for.
-  CachedJacobian(const CachedJacobian& known, const Model& model);
-
-  /// Good for the next step from `model`, which has the same terms.
-  void follow(const Model& model);
-  /// As good as new: nothing that differences tell has moved since.
-  void refresh(const Model& model);
-
-  const MatrixXd& jacobian() const { return jacobian_; }
-
- private:
-  void fill(const Model& model);
-  void update(const Model& model, double far);
-
-  const Signals* signals_;
-  MatrixXd jacobian_;
-  Model whole_, own_;  ///< Where all columns were worked out together, and each term's own ones
-};
-
-/// A model that a form may be added to; neither it nor the signals may go before this.
-class LinearisationPoint {
- public:
-  LinearisationPoint(const Signals& signals, const Model& model);
-  /// How the reading changes with each parameter in form.scan at form.start: 6N x scan.size().
-  MatrixXd signatures(const Form& form) const;
-  /// Whether a term has S stand otherwise than recorded.
-  bool turnsAxes() const { return kinematics_.turned != nullptr; }
-  /// What the sensor makes of forces, where that is one matrix for all instants.
-  Matrix6d sensorMatrix() const;
-
- private:
-  const Signals& signals_;
-  const Model& model_;
-  std::vector<const Term*> terms_;  ///< In their order
-  Kinematics kinematics_;           ///< As the terms bend it
-  Wrenches load_;                   ///< What the sensor carries
-  Wrenches sensed_;                 ///< Without what adds to the readings
-};
 
 }  // namespace heft::diagnosis

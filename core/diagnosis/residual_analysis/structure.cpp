@@ -1,4 +1,5 @@
 #include "core/diagnosis/residual_analysis/structure.h"
+#include "core/diagnosis/model/linearisation.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,5 @@
 #include "core/diagnosis/search/cross_validation.h"
+#include "core/diagnosis/model/linearisation.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
 #include "core/diagnosis/search/null_distribution.h"
+#include "core/diagnosis/model/linearisation.h"
 
 #include <algorithm>
 #include <cmath>

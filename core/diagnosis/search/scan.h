@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/diagnosis/model/fit.h"
+#include "core/diagnosis/model/linearisation.h"
 
 namespace heft::diagnosis {
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/model/linearisation.h"
 #include "core/diagnosis/search/alternatives.h"
 #include "core/diagnosis/search/scan.h"
 #include "core/diagnosis/verdict/description.h"

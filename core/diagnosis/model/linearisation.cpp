@@ -1,0 +1,306 @@
+#include "core/diagnosis/model/linearisation.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+
+#include "core/base/parallel.h"
+#include "core/diagnosis/calibration.h"
+#include "core/wrench/regressor.h"
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr double kStep = 1e-2;  ///< Of a parameter's realistic size, for differences
+
+bool bendsOrChanges(const Term& term) {
+  return term.form->cause->bendsGeometry() || term.form->cause->changesSensor(*term.form);
+}
+
+/// What changes with each parameter of one term, where everything else stays as it is.
+class Moving {
+ public:
+  Moving(const Signals& signals, const Model& model)
+      : signals_(signals), model_(model), terms_(inOrder(model_.terms)), kinematics_(signals.kinematics) {
+    for (const Term* t : terms_) {
+      before_.push_back(t->form->cause->bendsGeometry() ? kinematics_ : Kinematics{});
+      t->form->cause->geometry(*t->form, t->v, signals, kinematics_);
+    }
+    linear_ = std::ranges::all_of(model.terms, [](const Term& t) { return t.form->cause->linear(*t.form); });
+    // What only adds to what the others make leaves them as they are.
+    if (std::ranges::none_of(model.terms, bendsOrChanges)) return;
+    load_ = loads(signals, model, terms_, kinematics_);
+    told_ = sensed(signals, terms_, load_);
+  }
+  Moving(const Moving&) = delete;
+  Moving& operator=(const Moving&) = delete;
+
+  /// Columns of the payload's parameters.
+  void fillPayload(MatrixXd& jacobian) const {
+    if (std::ranges::any_of(terms_, [](const Term* t) { return changesSums(*t); })) {
+      for (int j = 0; j < 10; ++j) {
+        Wrenches w = payloadWrench(kinematics_, Vector10d::Unit(j));
+        throughSensor(signals_, terms_, w, true);
+        jacobian.col(6 + j) = flat(averaged(signals_, w));
+      }
+      return;
+    }
+    const Eigen::Index m = signals_.samplesPerBlock;
+    for (Eigen::Index n = 0; n < signals_.blocks(); ++n) {
+      Regressor sum = Regressor::Zero();
+      for (Eigen::Index k = n * m; k < (n + 1) * m; ++k)
+        sum += regressor({kinematics_.specificForce.col(k), kinematics_.omega.col(k), kinematics_.alpha.col(k)});
+      jacobian.block<6, 10>(6 * n, 6) = sum / static_cast<double>(m);
+    }
+  }
+
+  /// Columns of the term's parameters in `jacobian` from column `at` on, of its shape's only if `shapeOnly`; those that
+  /// do not move stay as they are.
+  void fill(std::size_t term, MatrixXd& jacobian, Eigen::Index at, bool shapeOnly) const {
+    const Term& moved = model_.terms[term];
+    const Form& form = *moved.form;
+    if (form.walk && moved.moves(0)) {
+      fillWalk(moved, jacobian, at);
+      return;
+    }
+    std::vector<Eigen::Index> which;
+    std::vector<VectorXd> values;
+    std::vector<double> steps;
+    for (Eigen::Index p = 0; p < moved.v.size(); ++p) {
+      if (!moved.moves(p) || (shapeOnly && isAmplitude(form, p))) continue;
+      which.push_back(p);
+      steps.push_back(kStep * form.parameters[static_cast<std::size_t>(p)].size);
+      values.push_back(moved.v);
+      values.back()(p) += steps.back();
+    }
+    if (which.empty()) return;
+    const std::vector<Wrenches> changes = changesBy(moved, std::move(values));
+    for (std::size_t i = 0; i < which.size(); ++i)
+      jacobian.col(at + which[i]) = flat(averaged(signals_, changes[i])) / steps[i];
+  }
+
+ private:
+  /// To the load, or to the readings, by each of several sets of the term's parameters.
+  std::vector<Wrenches> addedBy(const Form& form, const std::vector<VectorXd>& values) const {
+    std::vector<Wrenches> out(values.size(), Wrenches::Zero(6, signals_.size()));
+    if (!form.cause->addsToReadings())
+      form.cause->forces(form, values, signals_, kinematics_, out);
+    else
+      for (std::size_t i = 0; i < values.size(); ++i) form.cause->readings(form, values[i], signals_, out[i]);
+    return out;
+  }
+
+  /// In what is read, with each of several sets of parameters of one term of the model in the place of its own.
+  std::vector<Wrenches> changesBy(const Term& moved, std::vector<VectorXd> values) const {
+    const Form& form = *moved.form;
+    const Cause& cause = *form.cause;
+    const auto at = std::ranges::find(terms_, &moved);
+    std::vector<Wrenches> out;
+    if (cause.bendsGeometry()) {
+      const auto place = static_cast<std::size_t>(at - terms_.begin());
+      out.resize(values.size());
+      parallelFor(values.size(), [&](std::size_t i) {
+        Term other = moved;
+        other.v = values[i];
+        Order terms = terms_;
+        terms[place] = &other;
+        const Kinematics otherwise = bent(signals_, terms, place, before_[place]);
+        out[i] = sensed(signals_, terms, loads(signals_, model_, terms, otherwise)) - told_;
+      });
+      return out;
+    }
+    if (cause.changesSensor(form)) {
+      out.assign(values.size(), sensed(signals_, Order(terms_.begin(), at), load_));
+      cause.sensors(form, values, signals_, out);
+      for (Wrenches& w : out) w = sensed(signals_, Order(at + 1, terms_.end()), std::move(w)) - told_;
+      return out;
+    }
+    values.push_back(moved.v);
+    out = addedBy(form, values);
+    const Wrenches added = std::move(out.back());
+    out.pop_back();
+    for (Wrenches& w : out) {
+      w -= added;
+      if (cause.addsToReadings()) continue;
+      // What a cause adds is all that its parameters change, as long as the sensor passes sums on as sums.
+      if (linear_)
+        throughSensor(signals_, terms_, w, true);
+      else if (!w.isZero(0.0))
+        w = sensed(signals_, terms_, load_ + w) - told_;
+    }
+    return out;
+  }
+
+  /// Each wave once for all channels.
+  void fillWalk(const Term& term, MatrixXd& jacobian, Eigen::Index at) const {
+    for (Eigen::Index p = 0; p < term.v.size(); p += 6, at += 6) {
+      VectorXd one = VectorXd::Zero(term.v.size());
+      one.segment<6>(p).setOnes();
+      const Wrenches wave = averaged(signals_, addedBy(*term.form, {one}).front());
+      for (Eigen::Index c = 0; c < 6; ++c)
+        for (Eigen::Index n = 0; n < wave.cols(); ++n) jacobian(6 * n + c, at + c) = wave(c, n);
+    }
+  }
+
+  const Signals& signals_;
+  const Model model_;
+  const Order terms_;  ///< Of model_
+  Kinematics kinematics_;
+  std::vector<Kinematics> before_;  ///< Each of terms_ that bends it
+  Wrenches load_, told_;            ///< Empty where no parameter changes them
+  bool linear_ = true;
+};
+
+/// Whether what bends a motion or changes a sensor does another thing to this payload than to that one, by more than a
+/// share of `far`.
+bool otherLoad(const Vector10d& payload, const Vector10d& than, double far) {
+  const double mass = far * std::max(0.02, std::abs(than(0)));
+  const Vector10d off = (payload - than).cwiseAbs();
+  return off(0) > mass || off.segment<3>(1).maxCoeff() > kGrip * mass ||
+         off.tail<6>().maxCoeff() > kGrip * kGrip * mass;
+}
+
+bool beginsWith(const Model& model, const Model& beginning) {
+  const auto same = [](const Term& a, const Term& b) { return a.form == b.form && a.active == b.active; };
+  return model.terms.size() >= beginning.terms.size() &&
+         std::equal(beginning.terms.begin(), beginning.terms.end(), model.terms.begin(), same);
+}
+
+}  // namespace
+
+CachedJacobian::CachedJacobian(const Signals& signals, const Model& model) : signals_(&signals) { fill(model); }
+
+CachedJacobian::CachedJacobian(const CachedJacobian& known, const Model& model) : signals_(known.signals_) {
+  if (!beginsWith(model, known.own_)) {
+    fill(model);
+    return;
+  }
+  whole_ = known.whole_;
+  own_ = known.own_;
+  for (std::size_t i = whole_.terms.size(); i < model.terms.size(); ++i) {
+    const Term& term = model.terms[i];
+    whole_.terms.push_back({term.form, term.form->start, term.active, term.walk});
+  }
+  jacobian_ = MatrixXd::Zero(known.jacobian_.rows(), model.size());
+  jacobian_.leftCols(known.jacobian_.cols()) = known.jacobian_;
+  follow(model);
+}
+
+void CachedJacobian::fill(const Model& model) {
+  jacobian_ = MatrixXd::Zero(6 * signals_->blocks(), model.size());
+  for (Eigen::Index n = 0; n < signals_->blocks(); ++n) jacobian_.block<6, 6>(6 * n, 0).setIdentity();
+  Moving moving(*signals_, model);
+  moving.fillPayload(jacobian_);
+  Eigen::Index at = kLinear;
+  for (std::size_t i = 0; i < model.terms.size(); ++i) {
+    moving.fill(i, jacobian_, at, false);
+    at += model.terms[i].v.size();
+  }
+  whole_ = own_ = model;
+}
+
+void CachedJacobian::follow(const Model& model) {
+  constexpr double kFar = 0.3;  // What is off by less takes a fit another step at most
+  update(model, kFar);
+}
+
+void CachedJacobian::refresh(const Model& model) { update(model, kStep); }
+
+/// `far`: sizes by which an amplitude may have moved; of a shape, differences say nothing of what moves by less than
+/// their step.
+void CachedJacobian::update(const Model& model, double far) {
+  const bool bends = std::ranges::any_of(model.terms, bendsOrChanges),
+             linear = std::ranges::all_of(model.terms, [](const Term&t) { return t.form->cause->linear(*t.form); });
+  constexpr double kOfLoad = 0.3;  ///< As a load weighs on all columns of what bends
+  bool everything = bends && otherLoad(model.x.tail<10>(), whole_.x.tail<10>(), std::max(kStep, kOfLoad * far));
+  enum class Which { none, shape, all };
+  std::vector<Which> again(model.terms.size(), Which::none);
+  for (std::size_t i = 0; i < again.size(); ++i) {
+    const Term& term = model.terms[i];
+    const bool bending = bendsOrChanges(term);
+    if (bending) {
+      const Shift shift = shiftBetween(whole_.terms[i], term);
+      everything = everything || shift.shape > kStep || shift.amplitude > far;
+    }
+    if (i >= own_.terms.size()) {
+      again[i] = Which::all;
+      continue;
+    }
+    const Shift shift = shiftBetween(own_.terms[i], term);
+    if (shift.shape > kStep || shift.amplitude > (bending ? far : linear ? 1e300 : kStep))
+      again[i] = Which::all;
+    else if (!bending && shift.amplitude > kStep && term.form->scan.size() < term.form->parameters.size())
+      again[i] = Which::shape;
+  }
+  if (everything) {
+    fill(model);
+    return;
+  }
+  if (std::ranges::count(again, Which::none) == std::ssize(again)) return;
+  Moving moving(*signals_, model);
+  Eigen::Index at = kLinear;
+  own_.terms.resize(std::max(own_.terms.size(), model.terms.size()));
+  for (std::size_t i = 0; i < again.size(); ++i) {
+    if (again[i] != Which::none) {
+      moving.fill(i, jacobian_, at, again[i] == Which::shape);
+      own_.terms[i] = model.terms[i];
+    }
+    at += model.terms[i].v.size();
+  }
+}
+
+LinearisationPoint::LinearisationPoint(const Signals& signals, const Model& model)
+    : signals_(signals),
+      model_(model),
+      terms_(inOrder(model.terms)),
+      kinematics_(bent(signals, terms_)),
+      load_(loads(signals, model, terms_, kinematics_)),
+      sensed_(sensed(signals, terms_, load_)) {}
+
+MatrixXd LinearisationPoint::signatures(const Form& form) const {
+  const std::size_t count = form.scan.size();
+  std::vector<VectorXd> moved(count, form.start);
+  std::vector<double> steps(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    steps[i] = kStep * form.parameters[static_cast<std::size_t>(form.scan[i])].size;
+    moved[i](form.scan[i]) += steps[i];
+  }
+  const Cause& cause = *form.cause;
+  std::vector<Wrenches> changes(count);
+  if (!cause.bendsGeometry() && !cause.changesSensor(form)) {
+    // Forces and readings add to whatever is there: only they need to pass the sensor.
+    for (Wrenches& w : changes) w = Wrenches::Zero(6, signals_.size());
+    cause.forces(form, moved, signals_, kinematics_, changes);
+    for (std::size_t i = 0; i < count; ++i) {
+      throughSensor(signals_, terms_, changes[i], true);
+      cause.readings(form, moved[i], signals_, changes[i]);
+    }
+  } else if (cause.bendsGeometry()) {
+    Model with = model_;
+    with.terms.push_back({std::make_shared<const Form>(form), form.start, {}});
+    const Order terms = inOrder(with.terms);
+    for (std::size_t i = 0; i < count; ++i) {
+      with.terms.back().v = moved[i];
+      changes[i] = sensed(signals_, terms, loads(signals_, with, terms, bent(signals_, terms))) - sensed_;
+    }
+  } else {
+    const auto later =
+        std::ranges::find_if(terms_, [&](const Term* t) { return t->form->cause->order() > cause.order(); });
+    changes.assign(count, sensed(signals_, Order(terms_.begin(), later), load_));
+    cause.sensors(form, moved, signals_, changes);
+    for (Wrenches& w : changes) w = sensed(signals_, Order(later, terms_.end()), std::move(w)) - sensed_;
+  }
+  MatrixXd out(6 * signals_.blocks(), static_cast<Eigen::Index>(count));
+  for (std::size_t i = 0; i < count; ++i)
+    out.col(static_cast<Eigen::Index>(i)) = flat(averaged(signals_, changes[i])) / steps[i];
+  return out;
+}
+
+Matrix6d LinearisationPoint::sensorMatrix() const {
+  Wrenches units = Matrix6d::Identity();
+  throughSensor(signals_, terms_, units, true);
+  return units;
+}
+
+}  // namespace heft::diagnosis
