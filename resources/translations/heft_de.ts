@@ -9425,6 +9425,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>No name says which column holds the time; {} rises in even steps and was taken.</source>
         <translation>Kein Name sagt, welche Spalte die Zeit enthält; {} steigt in gleichmäßigen Schritten und wurde genommen.</translation>
     </message>
+    <message>
+        <source>The recording is read from {:.3f} to {:.3f} s, where the accelerometer was there.</source>
+        <translation>Die Aufnahme wird von {:.3f} bis {:.3f} s gelesen, wo der Beschleunigungssensor da war.</translation>
+    </message>
 </context>
 <context>
     <name>heft::CarriedObjects</name>
