@@ -22,6 +22,7 @@
 #include "core/live/session.h"
 #include "core/motion/motion.h"
 #include "core/motion/sensor_axes.h"
+#include "core/recording/missing.h"
 #include "core/recording/robot_name.h"
 #include "core/recording/unwrap.h"
 #include "core/simulation/virtual_rig.h"
@@ -93,8 +94,12 @@ class Kept {
         !joints && std::ranges::all_of(samples_, [](const auto& s) { return s.position.has_value(); });
     for (const auto& sample : samples_)
       if (joints ? sample.q.has_value() : sample.orientation.has_value()) rows.push_back(&sample);
-    // Without a gap, or not at all.
-    const bool felt = std::ranges::all_of(rows, [](const auto* s) { return s->accelerometer.has_value(); });
+    // Without a gap: a few rows are given up for it, and more where nothing else tells the acceleration.
+    const auto unfelt = [](const auto* s) { return !s->accelerometer; };
+    const auto lacking = std::ranges::count_if(rows, unfelt);
+    const bool felt =
+        static_cast<double>(lacking) <= mostWithoutAccelerometer(joints || position) * static_cast<double>(rows.size());
+    if (felt) std::erase_if(rows, unfelt);
     const bool turned = felt && std::ranges::all_of(rows, [](const auto* s) { return s->gyroscope.has_value(); });
     const auto count = static_cast<Eigen::Index>(rows.size());
     out.time.resize(count);

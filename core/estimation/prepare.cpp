@@ -304,10 +304,11 @@ Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robo
 /// The blocks of the same motion with as much noise again as it has; nothing where that cannot be told.
 std::optional<WrenchRows> noisierBlocks(const Recording& recording, const RobotModel* robot, MotionOptions options,
                                         const Understanding& as) {
-  const auto noisier = noisierMotion(recording);
-  if (!noisier) return std::nullopt;
   options.outputRateHz = MotionOptions{}.outputRateHz;
+  auto noisier = noisierMotion(recording);
+  if (!noisier) return std::nullopt;
   auto motion = motionOf(*noisier, robot, options);
+  noisier.reset();  // of an hour as large as all else
   if (!motion) return std::nullopt;
   return blocksOf(understood(std::move(*motion), as), recording, as.held);
 }

@@ -61,12 +61,12 @@ class StreamGuess {
       const auto put = [&](Families& families, const Member& member) {
         families[member.family].try_emplace(member.index, f);
       };
-      if (const auto wrench = asWrench(words)) put(wrenches, *wrench);
+      if (const auto wrench = asWrench(names_[f])) put(wrenches, *wrench);
       if (const auto array = asWrenchArray(words)) put(arrays, *array);
       if (const auto pose = asPose(words)) put(pose->quaternion ? quaternions : positions, *pose);
       if (const auto matrix = asMatrix(words)) put(matrices, *matrix);
       if (const auto felt = asInertial(words)) put(felt->rates ? rates : accelerations, *felt);
-      if (const auto joint = asJoint(words)) put(joint->velocity ? velocities : joints, *joint);
+      if (const auto joint = asJoint(names_[f])) put(joint->velocity ? velocities : joints, *joint);
     }
     mergeWrenches(wrenches);
     for (const auto& [family, fields] : wrenches)

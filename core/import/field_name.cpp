@@ -144,6 +144,16 @@ std::string takeTrailingUnit(Words& words) {
     return unit;
   }
   if (words.empty()) return {};
+  // "ZeitInNanoSec"
+  if (const auto* const second = findUnit(words.back());
+      words.size() >= 2 && second != nullptr && second->quantity == Quantity::time && second->si == 1.0) {
+    const auto& part = words[words.size() - 2];
+    const std::string unit = part == "nano" ? "ns" : part == "micro" ? "us" : part == "milli" ? "ms" : "";
+    if (!unit.empty()) {
+      words.resize(words.size() - 2);
+      return unit;
+    }
+  }
   // "tx_n_m", "torque_kgf_cm_0"
   for (std::size_t i = 1; i + 1 < words.size(); ++i) {
     const std::string torque = words[i] + words[i + 1];

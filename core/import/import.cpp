@@ -190,8 +190,14 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
   }
 
   auto opened = openAll(path, *kind, options, progress);
+  const auto withWays = [](Error error, std::initializer_list<Remedy> ways = {Remedy::addFile, Remedy::showContents}) {
+    for (const auto way : ways)
+      if (const auto text = remedy(way); error.message.find(text) == std::string::npos) error.message += " " + text;
+    return error;
+  };
   if (!opened) return misfit ? *misfit : opened.error();
-  if (auto failure = firstError(opened->findings)) return misfit ? *misfit : explained(*failure, opened->findings);
+  if (auto failure = firstError(opened->findings))
+    return withWays(explained(*failure, opened->findings), {Remedy::showContents});
   const auto listed = std::move(opened->streams);
   const auto cutOff = [](const Finding& finding) {
     return finding.code == "file_cut_off" || finding.code == "chunk_damaged";
@@ -206,12 +212,7 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
                                  remedy(Remedy::showContents)),
                      opened->findings);
   auto columns = chooseColumns(listed, opened->wishes, opened->jointNames, opened->findings);
-  if (!columns) {
-    auto error = misfit ? *misfit : explained(columns.error(), opened->findings, opened->look);
-    for (const auto way : {Remedy::addFile, Remedy::showContents})
-      if (const auto text = remedy(way); error.message.find(text) == std::string::npos) error.message += " " + text;
-    return error;
-  }
+  if (!columns) return withWays(misfit ? *misfit : explained(columns.error(), opened->findings, opened->look));
   if (const auto lost = withoutClock(listed, *columns)) return *lost;
   settleUnits(*columns, *opened);
   settleAxes(*columns, *opened, displayName(path));

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <optional>
 
-#include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/align.h"
+#include "core/import/delay.h"
 #include "core/import/witness.h"
 #include "core/math/statistics.h"
 #include "core/motion/motion.h"
@@ -20,10 +20,7 @@ namespace heft {
 
 namespace {
 
-constexpr double kLittleExplained = 0.5;  ///< Share of the force's variance
-constexpr double kNoDelay = 0.06;         ///< [s] A little to either side, so that the fit at none is seen.
-constexpr double kWideReach = 10.0;       ///< [s] Delays on a common clock are looked for up to this.
-constexpr double kLongestReach = 600.0;   ///< [s] Offsets between unrelated clocks are looked for up to this.
+constexpr double kNoDelay = 0.06;  ///< [s] A little to either side, so that the fit at none is seen.
 
 class Joiner {
  public:
@@ -38,8 +35,8 @@ class Joiner {
     if (const auto failure = makeSignals(std::move(meta)); failure || unrelated_) return std::nullopt;
     const auto moved = specificForce();
     if (!moved) return std::nullopt;
-    return findOffset(inWrenchAxes(*moved), moved->startTime, moved->rateHz, wrench_.time, wrench_.values.leftCols<3>(),
-                      -kNoDelay, kNoDelay)
+    return findOffset(inWrenchAxes(*moved, recording_.meta.conventions), moved->startTime, moved->rateHz, wrench_.time,
+                      wrench_.values.leftCols<3>(), -kNoDelay, kNoDelay)
         .explained;
   }
 
@@ -155,112 +152,24 @@ class Joiner {
       if (values.row(k).dot(values.row(k - 1)) < 0.0) values.row(k) = -values.row(k);
   }
 
-  /// The sensor's specific force from the motion alone.
-  std::optional<Motion> specificForce() {
-    Recording alone;
-    alone.file = joining_.file;
-    alone.meta = recording_.meta;
-    if (!joints_.empty() && !alone.meta.robot && joints_.values.cols() == 7) alone.meta.robot = "panda";
-    const Signal& from = motion();
-    alone.time = from.time;
-    alone.wrench.setZero(from.time.size(), 6);
-    Findings aside;
-    std::optional<RobotModel> robot;
-    if (!joints_.empty()) {
-      if (!alone.meta.robot) return std::nullopt;
-      auto made = robotFor(alone.meta, aside);
-      if (!made || made->dof() != joints_.values.cols()) return std::nullopt;
-      robot = std::move(*made);
-      alone.q = joints_.values;
-    } else {
-      alone.quaternion = quaternion_.values;
-      for (Eigen::Index k = 0; k < alone.quaternion.rows(); ++k) {
-        const double norm = alone.quaternion.row(k).norm();
-        if (norm < 0.5) return std::nullopt;
-        alone.quaternion.row(k) /= norm;
-      }
-    }
-    MotionOptions options;
-    options.cutoffHz = 5.0;
-    options.outputRateHz = 100.0;
-    auto motion = motionOf(alone, robot ? &*robot : nullptr, options);
-    if (!motion || motion->size() < 50 || !motion->specificForce.allFinite()) return std::nullopt;
-    return std::move(*motion);
-  }
-
-  /// The specific force in the axes that the wrench comes in.
-  Eigen::Matrix3Xd inWrenchAxes(const Motion& motion) const {
-    Eigen::Matrix3Xd out = motion.specificForce;
-    if (recording_.meta.conventions.wrenchAxes == Conventions::WrenchAxes::base)
-      for (Eigen::Index k = 0; k < out.cols(); ++k) out.col(k) = motion.R_BS[static_cast<std::size_t>(k)] * out.col(k);
-    return out;
+  std::optional<Motion> specificForce() const {
+    return specificForceOf(joints_, quaternion_, recording_.meta, joining_.file);
   }
 
   std::optional<Error> align() {
     if (wrench_.stream == motion().stream) return std::nullopt;
-    const auto how = joining_.howToShift(wrench_.stream, 0.0);
     const auto moved = recording_.meta.kind == RecordingKind::motion ? specificForce() : std::nullopt;
-    if (!moved && !unrelated_) return std::nullopt;
-    const auto& motionTime = motion().time;
-    double from = -0.5;
-    double to = 0.5;
-    if (unrelated_) {
-      from = std::max(motionTime(0) - wrench_.time(wrench_.time.size() - 1),
-                      motionTime(0) - wrench_.time(0) - kLongestReach);
-      to = std::min(motionTime(motionTime.size() - 1) - wrench_.time(0),
-                    motionTime(0) - wrench_.time(0) + kLongestReach);
+    if (!unrelated_) {
+      if (moved) tellDelay(*moved, recording_.meta.conventions, motion(), wrench_, joining_);
+      return std::nullopt;
     }
-    OffsetEstimate offset;
-    if (moved)
-      offset = findOffset(inWrenchAxes(*moved), moved->startTime, moved->rateHz, wrench_.time,
-                          wrench_.values.leftCols<3>(), from, to);
-    const auto figures = heft::say("{:.3f} s (+- {:.3f} s; the motion then explains {:.0f} % of the force)",
-                                   offset.seconds, 2.0 * offset.std, 100.0 * offset.explained);
-    if (!unrelated_ && moved && !offset.sure && offset.explained < kLittleExplained) {
-      // The best delay inside explains little: it may be longer than any that one expects on a common clock.
-      const auto wide = findOffset(inWrenchAxes(*moved), moved->startTime, moved->rateHz, wrench_.time,
-                                   wrench_.values.leftCols<3>(), -kWideReach, kWideReach);
-      if (wide.sure && std::abs(wide.seconds) > 0.5) {
-        joining_.note(
-            Severity::warning, "time_offset_estimated",
-            heft::say("The force of {} does not follow the motion of {} within half a second, but does when shifted by "
-                      "{:.3f} s (+- {:.3f} s; the motion then explains {:.0f} % of the force); nothing was shifted.",
-                      joining_.nameOf(wrench_.stream), joining_.nameOf(motion().stream), wide.seconds, 2.0 * wide.std,
-                      100.0 * wide.explained),
-            heft::say("The recorder lagged, or one clock is wrong.") + " " +
-                joining_.howToShift(wrench_.stream, wide.seconds));
-        return std::nullopt;
-      }
-    }
-    if (unrelated_) {
-      if (!offset.sure)
-        return errorAt({joining_.file, 0, 0},
-                       heft::say("the clocks of {} and {} have nothing in common, and the data do not tell how much "
-                                 "one is later than the other.",
-                                 joining_.nameOf(motion().stream), joining_.nameOf(wrench_.stream)),
-                       how);
-      wrench_.time.array() += offset.seconds;
-      wrenchShift_ = offset.seconds;
-      recording_.meta.clockAlignmentStd = offset.std;
-      // What would have to be stated to get the same: it counts between the clocks as the files have them.
-      const double stated =
-          1e-9 * (static_cast<double>(motionZero_) - static_cast<double>(wrenchZero_)) + offset.seconds;
-      joining_.note(
-          Severity::warning, "clock_offset",
-          heft::say("{} and {} are on different clocks: the wrench was shifted by {}.",
-                    joining_.nameOf(motion().stream), joining_.nameOf(wrench_.stream), figures),
-          heft::say(
-              "Found by letting the force follow the motion; a delay of the sensor itself is thereby taken out, too.") +
-              " " + joining_.howToShift(wrench_.stream, stated));
-    } else if (offset.sure) {
-      joining_.note(
-          std::abs(offset.seconds) > std::max(0.02, 4.0 * offset.std) ? Severity::warning : Severity::info,
-          "time_offset_estimated",
-          heft::say("On their common clock the force of {} follows the motion of {} best when shifted by {}; nothing "
-                    "was shifted.",
-                    joining_.nameOf(wrench_.stream), joining_.nameOf(motion().stream), figures),
-          joining_.howToShift(wrench_.stream, offset.seconds));
-    }
+    // What would have to be stated to get the same counts between the clocks as the files have them.
+    const double zeros = 1e-9 * (static_cast<double>(motionZero_) - static_cast<double>(wrenchZero_));
+    const auto offset = findClockOffset(moved, recording_.meta.conventions, motion(), wrench_, zeros, joining_);
+    if (!offset) return offset.error();
+    wrench_.time.array() += offset->seconds;
+    wrenchShift_ = offset->seconds;
+    recording_.meta.clockAlignmentStd = offset->std;
     return std::nullopt;
   }
 
@@ -270,8 +179,9 @@ class Joiner {
     const bool together = wrench_.stream == moving.stream && wrench_.nanoseconds == moving.nanoseconds;
     const bool wrenchSlower = wrench_.step > 1.01 * moving.step;
     const Signal& base = wrenchSlower ? wrench_ : moving;
-    const double overlapFrom = std::max(wrench_.time(0), moving.time(0));
-    const double overlapTo = std::min(wrench_.time(wrench_.time.size() - 1), moving.time(moving.time.size() - 1));
+    double overlapFrom = std::max(wrench_.time(0), moving.time(0));
+    double overlapTo = std::min(wrench_.time(wrench_.time.size() - 1), moving.time(moving.time.size() - 1));
+    if (joints_.empty() && position_.empty()) witness_.limit(overlapFrom, overlapTo);
     std::vector<double> times;
     std::size_t inGaps = 0;
     for (const double t : base.time) {

@@ -5,8 +5,11 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/base/text.h"
+#include "core/import/date_time.h"
+#include "core/recording/number.h"
 
 namespace heft {
 
@@ -17,12 +20,22 @@ constexpr std::size_t kDeepestArray = 32;
 
 using nlohmann::json;
 
+/// Of a number or a date [s] that was written as text.
+std::optional<double> numberIn(std::string_view text) {
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  if (!text.empty() && csv::parseNumber(text.data(), end, value) == end) return value;
+  return secondsOfDate(text);
+}
+
 bool flatten(const json& node, const std::string& path, std::size_t depth, NamedNumbers& out) {
   if (out.size() > kMostNumbers || depth > kDeepestArray) return false;
   if (node.is_number()) {
     out.emplace_back(path, node.get<double>());
   } else if (node.is_boolean()) {
     out.emplace_back(path, node.get<bool>() ? 1.0 : 0.0);
+  } else if (node.is_string()) {
+    if (const auto value = numberIn(node.get_ref<const std::string&>())) out.emplace_back(path, *value);
   } else if (node.is_null()) {
     out.emplace_back(path, std::numeric_limits<double>::quiet_NaN());
   } else if (node.is_array()) {
@@ -38,6 +51,7 @@ bool flatten(const json& node, const std::string& path, std::size_t depth, Named
     const auto labels = node.find("name");
     const bool labelled = labels != node.end() && labels->is_array();
     for (const auto& [key, value] : node.items()) {
+      if (labelled && key == "name") continue;
       const std::string inner = path.empty() ? printable(key, 100) : path + "." + printable(key, 100);
       if (labelled && value.is_array() && value.size() == labels->size()) {
         for (std::size_t i = 0; i < value.size(); ++i) {

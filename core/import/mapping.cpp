@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "core/base/remedy.h"
 #include "core/base/say.h"
@@ -156,6 +157,42 @@ class Chooser {
     });
   }
 
+  /// "observation.state" of "observation.state.0" and so on: the numbered fields that begin so, in their order.
+  bool grantNumbered(const std::string& target, const std::string& source) {
+    static const std::map<std::string, std::vector<std::string>> kColumns = {
+        {"wrench", {"fx", "fy", "fz", "tx", "ty", "tz"}},
+        {"position", {"px", "py", "pz"}},
+        {"quaternion", {"qx", "qy", "qz", "qw"}},
+        {"rotation", rotationForms().front()},
+        {"accelerometer", {"ax", "ay", "az"}},
+        {"gyroscope", {"imu_wx", "imu_wy", "imu_wz"}}};
+    const auto fixed = kColumns.find(target);
+    const auto wished = wordsOf(source);
+    for (std::size_t s = 0; s < streams_.size(); ++s) {
+      std::map<int, std::size_t> members;
+      for (std::size_t f = 0; f < streams_[s].fields.size(); ++f) {
+        auto words = readFieldName(streams_[s].fields[f]).words;
+        if (words.size() < 2 || words.back().size() > 2 || words.back()[0] < '0' || words.back()[0] > '9') continue;
+        const int number = std::stoi(words.back());
+        words.pop_back();
+        if (words == wished) members.try_emplace(number, f);
+      }
+      const auto count = fixed != kColumns.end() ? fixed->second.size() : members.size();
+      if (members.size() < 2 || members.size() != count ||
+          members.rbegin()->first - members.begin()->first + 1 != static_cast<int>(count))
+        continue;
+      std::size_t k = 0;
+      for (const auto& [number, field] : members) {
+        const auto column = fixed != kColumns.end() ? fixed->second[k]
+                                                    : fmt::format("{}{}", target == "velocities" ? "dq" : "q", k + 1);
+        chosen_.push_back(columnFrom(streams_, s, field, column, kSaidByUser));
+        ++k;
+      }
+      return true;
+    }
+    return false;
+  }
+
   std::optional<Error> grant(const std::string& target, const std::string& source) {
     if (std::find(kParts.begin(), kParts.end(), target) != kParts.end()) {
       for (const auto& candidate : candidates_) {
@@ -169,6 +206,7 @@ class Chooser {
         use(wished);
         return std::nullopt;
       }
+      if (grantNumbered(target, source)) return std::nullopt;
       return errorAt({streams_.empty() ? "" : streams_[0].file, 0, 0},
                      heft::say("\"{}\" has no {} that Heft can find by name.", printable(source), partName(target)),
                      heft::say("Name its columns one by one, for instance fx=TOPIC:FIELD."));

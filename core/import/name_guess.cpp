@@ -17,7 +17,7 @@ constexpr std::array kCommanded = {
     "reference", "goal",      "setpoint",    "limit",     "limits",    "error",     "errors",     "ddq",
     "qdd",       "dtau",      "dp",          "ddp",       "collision", "contact",   "std",        "stdev",
     "finger",    "gripper",   "covariance",  "planned",   "planner",   "simulated", "inaccuracy", "accuracy",
-    "variance",  "tolerance", "uncertainty", "soll",      "increment", "inc"};
+    "variance",  "tolerance", "uncertainty", "soll",      "increment", "inc",       "qcmd"};
 /// Words of wrenches from which something was taken away, or that no sensor measured.
 constexpr std::array kProcessed = {"compensated", "comp",     "bias", "unbiased", "zeroed",   "tared",
                                    "ext",         "external", "hat",  "estimate", "estimated"};
@@ -40,8 +40,9 @@ Words without(const Words& words, std::size_t from, std::size_t count) {
   return out;
 }
 
-constexpr std::array kForceWords = {"force", "forces", "f", "kraft"};
-constexpr std::array kTorqueWords = {"torque", "torques", "moment", "moments", "t", "m", "tau", "drehmoment"};
+constexpr std::array kForceWords = {"force", "forces", "f", "kraft", "fuerza", "forza"};
+constexpr std::array kTorqueWords = {"torque", "torques", "moment",     "moments", "t",
+                                     "m",      "tau",     "drehmoment", "couple",  "momento"};
 
 }  // namespace
 
@@ -70,7 +71,8 @@ int doubtOf(const Words& words) {
   return cost;
 }
 
-std::optional<Member> asWrench(const Words& words) {
+std::optional<Member> asWrench(const FieldName& name) {
+  const Words& words = name.words;
   static constexpr std::array kOther = {"pose",     "twist",        "position", "translation",
                                         "velocity", "acceleration", "joint"};
   if (anyIs(words, kOther)) return std::nullopt;
@@ -87,7 +89,15 @@ std::optional<Member> asWrench(const Words& words) {
     if (isOne(before, kForceWords) && *index < 3 && (before.size() > 1 || !number || i < 2 || !isDigits(words[i - 2])))
       return Member{*index, without(words, i - 1, 2)};
     if (isOne(before, kTorqueWords) && *index < 3) return Member{*index + 3, without(words, i - 1, 2)};
+    // "Force1.x", of several sensors
+    if (i < 2 || number || !isDigits(before) || words[i - 2].size() < 2) continue;
+    for (const auto& [kind, first] : {std::pair{std::span<const char* const>(kForceWords), 0}, {kTorqueWords, 3}})
+      if (isOne(words[i - 2], kind)) return Member{*index + first, without(without(words, i, 1), i - 2, 1)};
   }
+  // In whatever language: an axis in newtons or newton metres.
+  const auto last = words.empty() ? std::nullopt : axis(words.back());
+  if (last && unitSi(name.unit, Quantity::force)) return Member{*last, Words(words.begin(), words.end() - 1)};
+  if (last && unitSi(name.unit, Quantity::torque)) return Member{*last + 3, Words(words.begin(), words.end() - 1)};
   return std::nullopt;
 }
 
@@ -146,24 +156,13 @@ std::optional<Member> asMatrix(const Words& words) {
   return std::nullopt;
 }
 
-std::optional<JointMember> asJoint(const Words& words) {
-  static constexpr std::array kPositions = {"position",
-                                            "positions",
-                                            "pos",
-                                            "q",
-                                            "angle",
-                                            "angles",
-                                            "theta",
-                                            "winkel",
-                                            "gelenkwinkel",
-                                            "achswinkel",
-                                            "gelenkposition",
-                                            "achsposition",
-                                            "jointangle",
-                                            "jointangles",
-                                            "jointpos",
-                                            "jointposition",
-                                            "jointpositions"};
+std::optional<JointMember> asJoint(const FieldName& name) {
+  const Words& words = name.words;
+  static constexpr std::array kPositions = {
+      "position",     "positions",  "pos",          "q",          "angle",          "angles",
+      "theta",        "winkel",     "gelenkwinkel", "achswinkel", "gelenkposition",
+      "qmsr",  // KUKA's recorder
+      "achsposition", "jointangle", "jointangles",  "jointpos",   "jointposition",  "jointpositions"};
   static constexpr std::array kVelocities = {"velocity",
                                              "velocities",
                                              "vel",
@@ -181,8 +180,11 @@ std::optional<JointMember> asJoint(const Words& words) {
       "temp",          "temperatures", "is",      "force",   "wrench", "voltage", "power",     "acceleration",
       "accelerations", "acc",          "jerk",    "mode",    "status", "moment",  "stiffness", "load",
       "tcp",           "pose",         "encoder", "ticks",   "fts",    "ft",      "column"};
-  static constexpr std::array kJoints = {"joint", "joints", "j", "axis", "a", "jnt", "achse", "gelenk", "rax"};
+  static constexpr std::array kJoints = {"joint", "joints", "j",   "axis", "a",   "jnt",
+                                         "achse", "gelenk", "rax", "axe",  "eje", "articulacion"};
   if (words.empty() || anyIs(words, kOther)) return std::nullopt;
+  const bool rate = unitSi(name.unit, Quantity::angularRate) && !unitSi(name.unit, Quantity::angle);
+  const bool angle = unitSi(name.unit, Quantity::angle).has_value();
   // The number that tells the joint: the last one ("fr3_joint1" has another before it).
   const auto number =
       std::find_if(words.rbegin(), words.rend(), [](const std::string& t) { return t.size() <= 2 && isDigits(t); });
@@ -193,8 +195,11 @@ std::optional<JointMember> asJoint(const Words& words) {
   out.family = words;
   out.family[at] = "#";
   // "dQ1" and "q_d1" are spelt alike but for the order.
-  out.velocity = anyIs(words, kVelocities);
+  out.velocity = anyIs(words, kVelocities) || rate;
   if (out.velocity || anyIs(words, kPositions)) return out;
+  static constexpr std::array kTurns = {"rpy",  "euler", "orientation", "rotation", "rot",
+                                        "tool", "ee",    "eef",         "flange"};
+  if (angle && !anyIs(words, kTurns)) return out;
   if (at > 0 && isOne(words[at - 1], kJoints)) return out;
   if (anyIs(words, std::array{"joint", "joints"})) return out;
   return std::nullopt;

@@ -35,16 +35,16 @@ bool isProcessed(const Words& words);
 /// sensor's own axes before others.
 int doubtOf(const Words& words);
 
-/// 0..5 of a wrench: "fx", "force x", "wrench.torque.z", "ft[3]", "Fx_raw".
-std::optional<Member> asWrench(const Words& words);
+/// 0..5 of a wrench: "fx", "force x", "wrench.torque.z", "ft[3]", "Fx_raw", "couple_x (Nm)".
+std::optional<Member> asWrench(const FieldName& name);
 /// An element of an array of six: "ft_raw_wrench_0", "fts_reading_1", "actual_TCP_force_5", "forceTorque[3]".
 std::optional<Member> asWrenchArray(const Words& words);
 /// 0..2 of a place, or 0..3 (x, y, z, w) of a quaternion.
 std::optional<PoseMember> asPose(const Words& words);
 /// Elements of a rotation matrix by rows, "r11" to "r33" or "R[0][2]".
 std::optional<Member> asMatrix(const Words& words);
-/// The number of a joint, as it stands.
-std::optional<JointMember> asJoint(const Words& words);
+/// The number of a joint, as it stands; a numbered column in degrees or radians is one, whatever its words.
+std::optional<JointMember> asJoint(const FieldName& name);
 /// 0..2 of an accelerometer ("ax", "linear_acceleration.x", "imu_acc_y", UR's "actual_tool_accelerometer_2") or of a
 /// gyroscope ("angular_velocity.x", "gyro_z", "wx").
 std::optional<InertialMember> asInertial(const Words& words);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "core/base/say.h"
 #include "core/import/name_guess.h"
@@ -43,11 +44,13 @@ void addLettered(const std::vector<FieldName>& names, std::vector<SpelledPose>& 
   using Turn = SpelledPose::Turn;
   std::map<Words, Single> families;
   Single turns;
+  std::set<Words> turned;  // whose names beside it are a rotation's
   for (std::size_t f = 0; f < names.size(); ++f) {
     const Words& words = names[f].words;
     if (words.empty() || isCommanded(words)) continue;
-    if (words.back() == "roll" || words.back() == "pitch" || words.back() == "yaw") turns.try_emplace(words.back(), f);
     const Words before(words.begin(), words.end() - 1);
+    if (anyIs({words.back()}, std::array{"roll", "pitch", "yaw"})) turns.try_emplace(words.back(), f);
+    if (anyIs({words.back()}, std::array{"roll", "qx"})) turned.insert(before);
     const bool owned =
         std::all_of(before.begin(), before.end(), [&](const std::string& word) { return anyIs({word}, kOwners); });
     if (owned && words.back().size() <= 2) families[before].try_emplace(words.back(), f);
@@ -64,7 +67,7 @@ void addLettered(const std::vector<FieldName>& names, std::vector<SpelledPose>& 
           {place, wpr, Turn::rollPitchYaw, 8, heft::say("pose of a FANUC: mm, and W, P, R in degrees"), true});
     if (!vector.empty() && (before.empty() || !place.empty()))
       out.push_back({place, vector, Turn::vector, 7, heft::say("rotation vector"), false});
-    else if (!place.empty() && abc.empty() && wpr.empty() && before.empty())
+    else if (!place.empty() && abc.empty() && wpr.empty() && (before.empty() || turned.contains(before)))
       out.push_back({place, {}, Turn::none, 7, {}, false});
   }
   if (const auto rpy = threeOf(turns, "roll", "pitch", "yaw"); !rpy.empty())

@@ -4,10 +4,9 @@
 #include "core/import/publishers.h"
 #include "core/math/rigid.h"
 #include "core/recording/conventions.h"
+#include "core/recording/missing.h"
 
 namespace heft {
-
-inline constexpr double kMissingShare = 0.05;  ///< Up to this share of samples may lack a velocity.
 
 inline constexpr double kLongestGapSteps = 5.0;  ///< Across longer gaps nothing is interpolated.
 

@@ -14,7 +14,9 @@
 #include "core/base/text.h"
 #include "core/import/array_streams.h"
 #include "core/import/date_time.h"
+#include "core/import/field_name.h"
 #include "core/import/json_numbers.h"
+#include "core/import/name_guess.h"
 #include "core/import/streams.h"
 #include "core/import/table_text.h"
 #include "core/import/text_columns.h"
@@ -52,10 +54,33 @@ class Table {
   std::vector<std::vector<double>> columns;
   std::vector<std::string> owners;  ///< See TextTable.
 
+  /// Where no name speaks of a time: the one column that rises in even steps and counts no rows.
+  std::optional<TimeColumn> findRisingColumn(StreamSet& set) const {
+    std::optional<TimeColumn> out;
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const auto name = readFieldName(names[c]);
+      const bool other = asJoint(name) || asWrench(name) || asPose(name.words) || asInertial(name.words);
+      if (other || !risesLikeTime(columns[c])) continue;
+      if (out) return std::nullopt;
+      const auto unit = unitSi(name.unit, Quantity::time);
+      out = TimeColumn{c, unit.value_or(1.0), unit.has_value(), std::nullopt, 0.0};
+    }
+    if (out)
+      set.findings.push_back(
+          {Severity::warning,
+           "time_guessed",
+           heft::say("No name says which column holds the time; {} rises in even steps and was taken.",
+                     printable(names[out->index])),
+           remedy(Remedy::chooseTime),
+           {set.file, 0, 0}});
+    return out;
+  }
+
   Result<bool> toStreams(StreamSet& set, const TimeChoice& choice) const {
     set.timeCandidates = names;
     const std::size_t rows = columns.empty() ? 0 : columns[0].size();
-    const auto time = choice.rateHz > 0.0 ? std::nullopt : findTime(names, choice);
+    auto time = choice.rateHz > 0.0 ? std::nullopt : findTime(names, choice);
+    if (!time && choice.rateHz <= 0.0 && choice.column.empty()) time = findRisingColumn(set);
     const bool lost = !time && choice.rateHz <= 0.0;
     if (lost && (choice.clockNeeded || !choice.column.empty())) {
       const bool few = choice.column.empty() && rows <= kMostPoses;

@@ -138,6 +138,8 @@ struct Layout {
   std::size_t dataLine = 0;             ///< Index into the lines.
   std::optional<std::size_t> nameLine;  ///< Nothing: no names.
   std::optional<std::size_t> unitLine;
+  std::optional<std::size_t> groupLine;  ///< Above the names: what several of them belong to.
+  std::vector<std::string> numbered;     ///< Names from a list in the preamble.
   std::size_t cells = 0;
   bool commaNumbers = false;
 };
@@ -155,6 +157,44 @@ bool isUnitCell(std::string_view cell) {
   return !read.unit.empty();
 }
 
+/// Whether the names that there are differ.
+bool areUnique(Cells names) {
+  std::erase(names, std::string_view());
+  std::ranges::sort(names);
+  return std::ranges::adjacent_find(names) == names.end();
+}
+
+/// Whether a line has texts where the row below it has numbers, as a second line of names does ("0, 1, x, y, z").
+bool namesOver(std::string_view line, std::string_view row, char separator) {
+  static constexpr std::array kNoValue = {"nan", "-nan", "inf", "-inf", "none", "null", "na", "n/a", "-", "--"};
+  const auto names = cellsOf(line, separator), values = cellsOf(row, separator);
+  if (names.size() != values.size()) return false;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool text = !names[i].empty() && !isPlainNumber(names[i]) && !isCommaNumber(names[i]) &&
+                      !secondsOfDate(names[i]) && numbersInList(names[i]) == 0 &&
+                      std::find(kNoValue.begin(), kNoValue.end(), lowerCase(names[i])) == kNoValue.end();
+    if (text && isPlainNumber(values[i])) return true;
+  }
+  return false;
+}
+
+/// Names that a preamble lists one a line, "# 1: time [s]" or "# column 2 = q1", for as many columns as there are.
+std::vector<std::string> numberedNames(const std::vector<std::string_view>& lines, const Layout& layout) {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < layout.dataLine; ++i) {
+    auto rest = stripped(withoutMark(stripped(lines[i])));
+    for (const std::string_view word : {"column", "col"})
+      if (lowerCase(rest.substr(0, word.size())) == word) rest = stripped(rest.substr(word.size()));
+    const auto number = std::min(rest.find_first_not_of("0123456789"), rest.size());
+    if (number == 0 || rest.substr(0, number) != std::to_string(out.size() + 1)) continue;
+    rest = stripped(rest.substr(number));
+    if (rest.empty() || std::string_view(":=.)-").find(rest.front()) == std::string_view::npos) continue;
+    out.emplace_back(stripped(rest.substr(1)));
+  }
+  if (out.size() != layout.cells) out.clear();
+  return out;
+}
+
 std::optional<Layout> findLayout(const std::vector<std::string_view>& lines) {
   std::optional<Layout> best;
   std::size_t bestNumbers = 0;
@@ -168,9 +208,10 @@ std::optional<Layout> findLayout(const std::vector<std::string_view>& lines) {
       if (next < lines.size()) {
         const auto second = lookAt(lines[next], separator);
         if (!second.data() || second.cells != look.cells) continue;
+        if (second.numbers > look.numbers && namesOver(lines[i], lines[next], separator)) continue;
       }
       if (look.numbers > bestNumbers) {
-        best = Layout{separator, i, std::nullopt, std::nullopt, look.cells, look.commaNumbers > 0};
+        best = Layout{separator, i, {}, {}, {}, {}, look.cells, look.commaNumbers > 0};
         bestNumbers = look.numbers;
       }
       break;
@@ -188,8 +229,9 @@ std::optional<Layout> findLayout(const std::vector<std::string_view>& lines) {
   };
   const auto fits = [&](std::size_t line) {
     const auto cells = cellsOf(withoutMark(lines[line]), best->separator).size();
-    return !lookAt(withoutMark(lines[line]), best->separator).data() && cells + 1 >= best->cells &&
-           cells <= best->cells + 1;
+    const bool names = !lookAt(withoutMark(lines[line]), best->separator).data() ||
+                       namesOver(lines[line], lines[best->dataLine], best->separator);
+    return names && cells + 1 >= best->cells && cells <= best->cells + 1;
   };
   best->nameLine = above(best->dataLine);
   if (best->nameLine && !fits(*best->nameLine)) best->nameLine.reset();
@@ -200,7 +242,11 @@ std::optional<Layout> findLayout(const std::vector<std::string_view>& lines) {
     if (units && higher && fits(*higher)) {
       best->unitLine = best->nameLine;
       best->nameLine = higher;
+    } else if (higher && fits(*higher) && !areUnique(cells)) {
+      best->groupLine = higher;
     }
+  } else {
+    best->numbered = numberedNames(lines, *best);
   }
   return best;
 }
@@ -222,6 +268,19 @@ std::string headerOf(const std::vector<std::string_view>& lines, const Layout& l
     // Row numbers without a name (write.table of R).
     if (names.size() + 1 == layout.cells && !stripped(lines[layout.dataLine]).ends_with(layout.separator))
       names.insert(names.begin(), std::string());
+    // A column of remarks that nobody filled (LabVIEW), and a separator at the end of the header.
+    static constexpr std::array kRemarks = {"", "comment", "comments", "remark", "remarks", "notes", "kommentar"};
+    if (names.size() == layout.cells + 1 &&
+        std::find(kRemarks.begin(), kRemarks.end(), lowerCase(names.back())) != kRemarks.end())
+      names.pop_back();
+    if (layout.groupLine) {
+      const auto groups = cellsOf(withoutMark(lines[*layout.groupLine]), layout.separator);
+      std::string group;  // stands once above several names, or above each
+      for (std::size_t i = 0; i < names.size() && i < groups.size(); ++i) {
+        if (!groups[i].empty()) group = groups[i];
+        if (!group.empty()) names[i] = names[i].empty() ? group : fmt::format("{}.{}", group, names[i]);
+      }
+    }
     if (layout.unitLine) {
       const auto units = cellsOf(lines[*layout.unitLine], layout.separator);
       for (std::size_t i = 0; i < names.size() && i < units.size(); ++i) {
@@ -230,6 +289,8 @@ std::string headerOf(const std::vector<std::string_view>& lines, const Layout& l
         if (!unit.empty() && unit != "-" && unit != "1") names[i] += fmt::format(" ({})", unit);
       }
     }
+  } else if (!layout.numbered.empty()) {
+    names = layout.numbered;
   } else {
     for (std::size_t i = 1; i <= layout.cells; ++i) names.push_back(fmt::format("column{}", i));
   }
@@ -300,7 +361,7 @@ TableText readTableText(std::string text, const std::string& file, Findings& fin
   if (asItIs) return {std::move(text), false};
 
   TableText out;
-  out.namesMissing = !layout->nameLine;
+  out.namesMissing = !layout->nameLine && layout->numbered.empty();
   out.text.reserve(text.size() + 4096);
   // Without names there may be no line to put them into; then the lines count one more.
   const std::size_t headerLine = layout->nameLine.value_or(layout->dataLine == 0 ? 0 : layout->dataLine - 1);
@@ -317,9 +378,10 @@ TableText readTableText(std::string text, const std::string& file, Findings& fin
     at = stop + 1;
   }
   if (layout->commaNumbers) note("decimal_commas", heft::say("Decimal commas were read as points."));
-  if (layout->nameLine && *layout->nameLine > 0)
-    note("preamble", heft::say("{} lines above the names of the columns were skipped.", *layout->nameLine),
-         static_cast<long>(*layout->nameLine) + 1);
+  const auto firstNames = layout->groupLine ? layout->groupLine : layout->nameLine;
+  if (firstNames && *firstNames > 0)
+    note("preamble", heft::say("{} lines above the names of the columns were skipped.", *firstNames),
+         static_cast<long>(*firstNames) + 1);
   if (layout->unitLine)
     note("unit_row", heft::say("The row below the names was read as the columns' units."),
          static_cast<long>(*layout->unitLine) + 1);

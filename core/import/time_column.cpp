@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/import/field_name.h"
+#include "core/math/statistics.h"
 
 namespace heft {
 
@@ -25,10 +26,12 @@ int rankOf(const FieldName& name, const std::string& lower) {
   if (alone("time")) return 5;
   if (alone("timestamp") || alone("timestamps") || alone("stamp")) return 4;
   if (words.size() == 2 && words[0] == "time" && words[1] == "stamp") return 4;
-  if (alone("t") || alone("zeit") || alone("zeitstempel") || alone("elapsed") || alone("clock") || alone("ts") ||
-      alone("tm"))
-    return 3;
-  if (words.empty() && !name.unit.empty()) return 3;  // "secs", "ms"
+  static constexpr std::array kAlone = {"t",     "zeit",   "zeitstempel", "uhrzeit", "elapsed",
+                                        "clock", "ts",     "tm",          "temps",   "horodatage",
+                                        "heure", "tiempo", "hora",        "tempo",   "datetime"};
+  if (words.size() == 1 && std::find(kAlone.begin(), kAlone.end(), words[0]) != kAlone.end()) return 3;
+  if (words.size() == 2 && words[0] == "zeit" && words[1] == "in" && !name.unit.empty()) return 3;  // "ZeitInSec"
+  if (words.empty() && !name.unit.empty()) return 3;                                                // "secs", "ms"
   if (words.size() > 4) return 0;
   // "robot.timestamp", "header.stamp", "elapsed_time", "time_since_start"
   if (is("timestamp") || is("timestamps") || is("stamp")) return 2;
@@ -109,6 +112,24 @@ double unitOfTimes(const std::vector<double>& times) {
   if (*first > 1e14) return 1e-6;
   if (*first > 1e11) return 1e-3;
   return 1.0;
+}
+
+bool risesLikeTime(const std::vector<double>& values) {
+  constexpr std::size_t kFewest = 20;
+  constexpr double kAlike = 0.5, kMostly = 0.95;  // of the median step; of the steps
+  if (values.size() < kFewest) return false;
+  std::vector<double> steps;
+  steps.reserve(values.size() - 1);
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    const double step = values[k] - values[k - 1];
+    if (!(step > 0.0) || !std::isfinite(step)) return false;
+    steps.push_back(step);
+  }
+  if (std::all_of(steps.begin(), steps.end(), [](double step) { return step == 1.0; })) return false;
+  const double usual = median(steps);
+  const auto alike =
+      std::count_if(steps.begin(), steps.end(), [&](double step) { return std::abs(step - usual) < kAlike * usual; });
+  return static_cast<double>(alike) >= kMostly * static_cast<double>(steps.size());
 }
 
 std::vector<std::int64_t> timesOf(const std::vector<double>& clock, const std::vector<double>& parts,

@@ -30,6 +30,9 @@ double unitOfTimes(const std::vector<double>& times);
 std::vector<std::int64_t> timesOf(const std::vector<double>& clock, const std::vector<double>& parts,
                                   const TimeColumn& column);
 
+/// Whether values rise from row to row in steps that are mostly alike, as times do; row numbers do not count.
+bool risesLikeTime(const std::vector<double>& values);
+
 std::string lowerCase(std::string_view text);
 
 }  // namespace heft

@@ -50,6 +50,19 @@ void Witness::align(const Signal& wrench) {
       heft::say("The accelerometer's times were shifted by {:.4f} s, where the force follows it best.", delay));
 }
 
+void Witness::limit(double& from, double& to) const {
+  if (accelerometer_.empty()) return;
+  const double begin = std::max(from, accelerometer_.time(0));
+  const double end = std::min(to, accelerometer_.time(accelerometer_.time.size() - 1));
+  const double kept = (end - begin) / (to - from);
+  if (kept < 1.0 - mostWithoutAccelerometer(false) || kept >= 1.0) return;
+  joining_.note(
+      Severity::info, "accelerometer_span",
+      heft::say("The recording is read from {:.3f} to {:.3f} s, where the accelerometer was there.", begin, end));
+  from = begin;
+  to = end;
+}
+
 void Witness::take(const VectorXd& at, double step, Recording& recording) {
   if (accelerometer_.empty()) return;
   const auto there = std::count_if(at.begin(), at.end(), [&](double t) {

@@ -18,6 +18,8 @@ class Witness {
   void forget(const std::string& why);
   /// Both are on one clock, and the force follows what the tool feels at once.
   void align(const Signal& wrench);
+  /// Where it alone tells the acceleration, the recording begins and ends with it, if it was there half of the time.
+  void limit(double& from, double& to) const;
   /// Puts it on the times `at` of the recording, which are `step` apart, if it was there nearly all the time.
   void take(const VectorXd& at, double step, Recording& recording);
 

@@ -5,9 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <fstream>
 #include <string_view>
 #include <utility>
 
@@ -19,6 +21,7 @@ namespace heft {
 namespace {
 
 constexpr std::chrono::seconds kSync{1};
+constexpr std::size_t kChunk = 1U << 20U;   ///< [bytes] A widened file is written in such pieces.
 constexpr std::size_t kMost = 256U << 20U;  ///< [bytes] Ten minutes of a stalled disk at 1 kHz.
 
 /// Whether this program alone may write to the file: it is empty, still has its name, and no living program holds it.
@@ -66,13 +69,22 @@ GrowingFile::~GrowingFile() {
   ::close(descriptor_);
 }
 
-bool GrowingFile::append(std::string text) {
+bool GrowingFile::append(std::string text) { return take({std::move(text), false}); }
+
+bool GrowingFile::addColumns(std::string names) { return take({std::move(names), true}); }
+
+bool GrowingFile::take(Piece piece) {
   const std::lock_guard lock(mutex_);
-  if (problem_.empty() && waiting_.size() + text.size() > kMost)
+  std::size_t bytes = piece.text.size();
+  for (const auto& each : waiting_) bytes += each.text.size();
+  if (problem_.empty() && bytes > kMost)
     problem_ =
         heft::say("{} cannot be written as fast as samples come. What is there can be read.", displayName(file_));
   if (!problem_.empty()) return false;
-  waiting_ += text;
+  if (!piece.columns && !waiting_.empty() && !waiting_.back().columns)
+    waiting_.back().text += piece.text;
+  else if (!piece.text.empty())
+    waiting_.push_back(std::move(piece));
   changed_.notify_all();
   return true;
 }
@@ -117,16 +129,42 @@ std::string GrowingFile::write(const std::string& text) const {
   return {};
 }
 
+std::string GrowingFile::widen(const std::string& names) {
+  std::ifstream old(file_, std::ios::binary);
+  auto fresh = FileReplacement::begin(file_);
+  if (!fresh) return fresh.error().message;
+  const std::string cells(static_cast<std::size_t>(std::count(names.begin(), names.end(), ',')) + 1, ',');
+  std::string line, text;
+  bool first = true, more = static_cast<bool>(std::getline(old, line));
+  while (more) {
+    text += line + (first ? "," + names : cells) + '\n';
+    first = false;
+    more = static_cast<bool>(std::getline(old, line));
+    if (more && text.size() < kChunk) continue;
+    if (const auto written = fresh->write(text); !written) return written.error().message;
+    text.clear();
+  }
+  if (!old.eof()) return cannotGrow(EIO);
+  if (const auto done = fresh->commit(); !done) return done.error().message;
+  const int descriptor = ::open(file_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (descriptor < 0) return cannotGrow(errno);
+  ::flock(descriptor, LOCK_EX | LOCK_NB);
+  const std::lock_guard lock(mutex_);
+  ::close(std::exchange(descriptor_, descriptor));
+  return {};
+}
+
 void GrowingFile::run() {
   auto synced = std::chrono::steady_clock::now();
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [&] { return ending_ || (!waiting_.empty() && problem_.empty()); });
     if (waiting_.empty() || !problem_.empty()) break;
-    const std::string text = std::exchange(waiting_, {});
+    const Piece piece = std::move(waiting_.front());
+    waiting_.pop_front();
     writing_ = true;
     lock.unlock();
-    std::string problem = write(text);
+    std::string problem = piece.columns ? widen(piece.text) : write(piece.text);
     lock.lock();
     writing_ = false;
     if (problem_.empty()) problem_ = std::move(problem);

@@ -2,6 +2,7 @@
 // A file that grows in a thread of its own: whoever measures waits for no disk.
 #include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -25,6 +26,9 @@ class GrowingFile {
 
   /// Returns at once. False once the disk is full, gone, or far too slow; problem() says so.
   bool append(std::string text);
+  /// Gives a CSV more columns after all that was appended so far: `names` ("ax,ay") behind the first line's, empty
+  /// cells behind every other line's. The file is replaced as a whole; a killed program leaves the old or the new one.
+  bool addColumns(std::string names);
   /// Waits until everything is on the disk. False if there is a problem.
   bool finish();
   /// Takes the file's name away if create() made it: for one that nothing was written to.
@@ -34,7 +38,14 @@ class GrowingFile {
  private:
   GrowingFile(std::filesystem::path file, int descriptor, bool made);
   void run();
+  /// Text to append, or the names of columns to add.
+  struct Piece {
+    std::string text;
+    bool columns = false;
+  };
+  bool take(Piece piece);
   /// What went wrong, or nothing.
+  std::string widen(const std::string& names);
   std::string write(const std::string& text) const;
   /// The same of what was written, handed to the disk.
   std::string flush() const;
@@ -45,7 +56,7 @@ class GrowingFile {
   bool made_;  ///< The file was not there before.
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::string waiting_;
+  std::deque<Piece> waiting_;
   std::string problem_;
   bool writing_ = false, ending_ = false;
   std::thread thread_;  ///< Last, so that it sees everything else made.

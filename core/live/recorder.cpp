@@ -17,6 +17,8 @@ namespace heft {
 namespace {
 
 constexpr double kHandOver = 0.2;  ///< [s]
+constexpr const char* kAccelerations = "ax,ay,az";
+constexpr const char* kRates = "imu_wx,imu_wy,imu_wz";
 
 }  // namespace
 
@@ -65,8 +67,7 @@ void Recorder::begin() {
   dq_ = any([&](const LiveSample& s) { return s.q && s.dq; });
   orientation_ = any([&](const LiveSample& s) { return like(s) && s.orientation; });
   position_ = any([&](const LiveSample& s) { return like(s) && s.orientation && s.position; });
-  accelerometer_ = any([](const LiveSample& s) { return s.accelerometer.has_value(); });
-  gyroscope_ = any([](const LiveSample& s) { return s.accelerometer && s.gyroscope; });
+  for (const auto& sample : first_) noteInertial(sample);
   joints_ = std::clamp(std::ranges::find_if(first_, like)->joints, 0, 7);
   pending_ = "time";
   if (q_)
@@ -76,10 +77,17 @@ void Recorder::begin() {
   if (position_) pending_ += ",px,py,pz";
   if (orientation_) pending_ += ",qx,qy,qz,qw";
   pending_ += ",fx,fy,fz,tx,ty,tz";
-  if (accelerometer_) pending_ += ",ax,ay,az";
-  if (gyroscope_) pending_ += ",imu_wx,imu_wy,imu_wz";
+  for (const bool rates : inertial_) pending_ += std::string(",") + (rates ? kRates : kAccelerations);
   pending_ += '\n';
   for (const auto& sample : std::exchange(first_, {})) write(sample);
+}
+
+bool Recorder::noteInertial(const LiveSample& sample) {
+  const auto before = inertial_.size();
+  for (const bool rates : {false, true})
+    if (sample.accelerometer && (!rates || sample.gyroscope) && std::ranges::find(inertial_, rates) == inertial_.end())
+      inertial_.push_back(rates);
+  return inertial_.size() > before;
 }
 
 void Recorder::number(double value) { fmt::format_to(std::back_inserter(pending_), ",{}", value); }
@@ -105,8 +113,7 @@ void Recorder::write(const LiveSample& sample) {
   if (orientation_)
     for (const double value : sample.orientation->coeffs()) number(value);
   for (const double value : *sample.wrench) number(value);
-  if (accelerometer_) orEmpty(sample.accelerometer, 3);
-  if (gyroscope_) orEmpty(sample.gyroscope, 3);
+  for (const bool rates : inertial_) orEmpty(rates ? sample.gyroscope : sample.accelerometer, 3);
   pending_ += '\n';
   ++rows_;
 }
@@ -118,6 +125,11 @@ bool Recorder::add(const LiveSample& sample) {
     if (first_.empty()) handed_ = hostNow();
     first_.push_back(sample);
   } else {
+    const auto before = inertial_.size();
+    if (noteInertial(sample)) {
+      disk_->append(std::exchange(pending_, {}));
+      for (auto i = before; i < inertial_.size(); ++i) disk_->addColumns(inertial_[i] ? kRates : kAccelerations);
+    }
     write(sample);
   }
   return hostNow() - handed_ < kHandOver || handOver();

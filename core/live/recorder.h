@@ -25,7 +25,8 @@ class Recorder {
   Recorder(Recorder&& other) noexcept = default;
   ~Recorder();  ///< Writes what is left.
 
-  /// The samples of the first fifth of a second decide which columns there are. False once the disk is full or gone;
+  /// The samples of the first fifth of a second decide which columns there are; those of an inertial sensor that begins
+  /// later are added behind them, empty in the rows before. False once the disk is full or gone;
   /// problem() says so.
   bool add(const LiveSample& sample);
   /// Waits until the disk has every row. False as above.
@@ -40,6 +41,8 @@ class Recorder {
   /// Writes the header, and the samples that waited for it.
   void begin();
   void write(const LiveSample& sample);
+  /// Whether it brings readings of an inertial sensor that there are no columns for yet; there are then.
+  bool noteInertial(const LiveSample& sample);
   bool handOver();
   void number(double value);
 
@@ -53,7 +56,8 @@ class Recorder {
   double origin_ = 0.0;
   double handed_ = 0.0;
   int joints_ = 0;
-  bool q_ = false, dq_ = false, orientation_ = false, position_ = false, accelerometer_ = false, gyroscope_ = false;
+  bool q_ = false, dq_ = false, orientation_ = false, position_ = false;
+  std::vector<bool> inertial_;  ///< Columns of an inertial sensor in their order: false accelerations, true rates
   bool begun_ = false;
 };
 

@@ -36,8 +36,8 @@ struct Output {
 struct Gridded {
   const UniformGrid& grid;
   const VectorXd& time;
-  const MatrixXd& values;  ///< Rows belong to `time`
-  bool linear = false;     ///< As for onGrid()
+  Eigen::Ref<const MatrixXd> values;  ///< Rows belong to `time`
+  bool linear = false;                ///< As for onGrid()
 
   Eigen::Index channels() const { return values.cols(); }
   Channels rows(Eigen::Index from, Eigen::Index to) const { return onGrid(grid, time, values, linear, from, to); }
@@ -288,9 +288,9 @@ void fromPoses(const Recording& recording, Smoother& smoother, const UniformGrid
   Derivatives translation;
   motion.originAccelerationKnown = recording.hasPosition();
   if (recording.hasPosition()) {
-    const MatrixXd position = recording.position, velocity = recording.twist.leftCols<3>();
-    translation = withReportedVelocity(smoother, {grid, recording.time, position}, {grid, recording.time, velocity},
-                                       heft::say("linear"), motion.findings);
+    translation = withReportedVelocity(smoother, {grid, recording.time, recording.position},
+                                       {grid, recording.time, recording.twist.leftCols<3>()}, heft::say("linear"),
+                                       motion.findings);
   }
   for (Eigen::Index k = 0; k < motion.size(); ++k) {
     FrameMotion frame;
@@ -316,8 +316,7 @@ void fromPoses(const Recording& recording, Smoother& smoother, const UniformGrid
 void askAccelerometer(const Recording& recording, Smoother& smoother, const UniformGrid& grid, Motion& motion) {
   const auto like = [&](const Eigen::Ref<const MatrixXd>& series) -> Eigen::Matrix3Xd {
     if (series.rows() == 0) return Eigen::Matrix3Xd(3, 0);
-    const MatrixXd values = series;
-    const Gridded gridded{grid, recording.time, values, true};
+    const Gridded gridded{grid, recording.time, series, true};
     return (motion.originAccelerationKnown ? smoother.run(gridded, 0).value : smoother.wrench(gridded)).transpose();
   };
   hearAccelerometer(like(recording.accelerometer), like(recording.gyroscope), motion);
@@ -413,8 +412,10 @@ Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, con
   motion.keptHz = smoother.keptHz();
   if (recording.hasAccelerometer()) askAccelerometer(recording, smoother, grid, motion);
   if (!motion.originAccelerationKnown) sayAccelerationUnknown(motion);
-  const MatrixXd wrench = recording.wrench;
-  motion.wrench = smoother.wrench({grid, recording.time, wrench, true}).transpose();
+  if (recording.wrench.rows() > 0)  // noisierMotion() has none
+    motion.wrench = smoother.wrench({grid, recording.time, recording.wrench, true}).transpose();
+  else
+    motion.wrench.setZero(6, motion.size());
   return motion;
 }
 

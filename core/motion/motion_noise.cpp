@@ -22,7 +22,7 @@ constexpr int kTimesDifferenced = 3;                     // Slow motion must not
 /// Adds white noise; false where it cannot be told how much.
 bool addNoise(const UniformGrid& grid, const VectorXd& time, std::mt19937_64& random, MatrixXd& values) {
   if (values.rows() == 0) return true;
-  const auto noise = whiteNoiseOf(onGrid(grid, time, values, false), grid.rateHz);
+  const auto noise = whiteNoiseOf(grid, time, values);
   if (!noise) return false;
   // Evenly spread: only the variance counts.
   const double scale = 2.0 * std::numbers::sqrt3 * 0x1.0p-64;
@@ -34,28 +34,30 @@ bool addNoise(const UniformGrid& grid, const VectorXd& time, std::mt19937_64& ra
 
 }  // namespace
 
-std::optional<VectorXd> whiteNoiseOf(const Channels& signal, double rateHz) {
+std::optional<VectorXd> whiteNoiseOf(const UniformGrid& grid, const VectorXd& time,
+                                     const Eigen::Ref<const MatrixXd>& values) {
+  const double rateHz = grid.rateHz;
   const auto length = static_cast<Eigen::Index>(rateHz);
   const Eigen::Index span = length + kTimesDifferenced;
-  if (rateHz < kSlowestTold || signal.rows() < span) return std::nullopt;
-  std::vector<std::vector<double>> power(static_cast<std::size_t>(signal.cols()));
-  const Eigen::Index windows = std::min(kMostWindows, signal.rows() / span);
+  if (rateHz < kSlowestTold || grid.size < span) return std::nullopt;
+  std::vector<std::vector<double>> power(static_cast<std::size_t>(values.cols()));
+  const Eigen::Index windows = std::min(kMostWindows, grid.size / span);
   for (Eigen::Index w = 0; w < windows; ++w) {
-    const Eigen::Index from = windows > 1 ? w * (signal.rows() - span) / (windows - 1) : 0;
-    Channels x = signal.middleRows(from, span);
+    const Eigen::Index from = windows > 1 ? w * (grid.size - span) / (windows - 1) : 0;
+    Channels x = onGrid(grid, time, values, false, from, from + span);
     for (int d = 0; d < kTimesDifferenced; ++d) x = Channels(x.bottomRows(x.rows() - 1) - x.topRows(x.rows() - 1));
     const MatrixXd found = taperedPower(x.transpose(), kLastLine);
     for (Eigen::Index k = kFirstLine; k < kLastLine; ++k) {
       const double white =
           std::pow(2.0 * std::sin(std::numbers::pi * static_cast<double>(k + 1) / static_cast<double>(length)),
                    2 * kTimesDifferenced);
-      for (Eigen::Index c = 0; c < signal.cols(); ++c)
+      for (Eigen::Index c = 0; c < values.cols(); ++c)
         power[static_cast<std::size_t>(c)].push_back(found(c, k) / white);
     }
   }
-  VectorXd out(signal.cols());
+  VectorXd out(values.cols());
   // Half of what is spread as a square of two normal numbers is below ln 2 of its mean; knocks do not count.
-  for (Eigen::Index c = 0; c < signal.cols(); ++c)
+  for (Eigen::Index c = 0; c < values.cols(); ++c)
     out(c) = std::sqrt(median(std::move(power[static_cast<std::size_t>(c)])) / std::numbers::ln2);
   return out;
 }
@@ -64,7 +66,15 @@ std::optional<Recording> noisierMotion(const Recording& recording) {
   const UniformGrid grid = gridFor(recording.time);
   if (grid.size > 20 * recording.rows() + 1000) return std::nullopt;
   std::mt19937_64 random(1);
-  Recording out = recording;
+  Recording out;
+  out.file = recording.file;
+  out.meta = recording.meta;
+  out.time = recording.time;
+  out.q = recording.q;
+  out.dq = recording.dq;
+  out.position = recording.position;
+  out.quaternion = recording.quaternion;
+  out.twist = recording.twist;
   for (MatrixXd* values : {&out.q, &out.dq})
     if (!addNoise(grid, recording.time, random, *values)) return std::nullopt;
   const auto add = [&](auto& values) {

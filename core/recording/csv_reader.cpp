@@ -10,13 +10,13 @@
 #include "core/recording/checks.h"
 #include "core/recording/columns.h"
 #include "core/recording/csv_table.h"
+#include "core/recording/missing.h"
 #include "core/recording/number.h"
 
 namespace heft {
 
 namespace {
 
-constexpr double kMissingShare = 0.05;              ///< Up to this share of rows may lack values.
 constexpr std::size_t kMaxNumbers = 200'000'000;    ///< 1.6 GB in memory; short numbers in a file at the size limit.
 constexpr std::size_t kMaxExtraCells = 20'000'000;  ///< Cells kept as text cost about 32 bytes each.
 
@@ -166,8 +166,8 @@ class RecordingParser {
     return missing;
   }
 
-  bool tooMany(Eigen::Index missing) const {
-    return static_cast<double>(missing) > kMissingShare * static_cast<double>(lines_.size());
+  bool tooMany(Eigen::Index missing, double share = kMissingShare) const {
+    return static_cast<double>(missing) > share * static_cast<double>(lines_.size());
   }
 
   void clear(Role role, const Missing& missing, const std::string& what) {
@@ -205,19 +205,20 @@ class RecordingParser {
   /// Columns that can be spared go if they lack too much; then rows that lack anything go, if they are few.
   std::optional<Error> removeMissing() {
     const bool poses = recording_.meta.kind == RecordingKind::poses;
-    const auto sparse = [&](Role role) {
+    const auto sparse = [&](Role role, double share = kMissingShare) {
       if (!lacks(role)) return Missing{};
       std::vector<char> unused(lines_.size(), 1);
       const auto missing = findMissing(role, unused);
-      return tooMany(missing.rows) ? missing : Missing{};
+      return tooMany(missing.rows, share) ? missing : Missing{};
     };
+    const double unfelt = mostWithoutAccelerometer(map_.hasJoints() || map_.hasPosition());
     if (const auto missing = sparse(Role::jointVelocity); missing.rows > 0)
       clear(Role::jointVelocity, missing, heft::say("The joint velocities are"));
     if (const auto missing = sparse(Role::twist); missing.rows > 0)
       clear(Role::twist, missing, heft::say("The twist is"));
-    if (const auto missing = sparse(Role::accelerometer); missing.rows > 0)
+    if (const auto missing = sparse(Role::accelerometer, unfelt); missing.rows > 0)
       clear(Role::accelerometer, missing, heft::say("The accelerometer's readings are"));
-    if (const auto missing = sparse(Role::gyroscope); missing.rows > 0)
+    if (const auto missing = sparse(Role::gyroscope, unfelt); missing.rows > 0)
       clear(Role::gyroscope, missing, heft::say("The gyroscope's readings are"));
     if (map_.hasJoints() && map_.hasOrientation()) {
       const auto joints = sparse(Role::joint);
@@ -247,7 +248,7 @@ class RecordingParser {
     if (first.line == 0) return std::nullopt;
     const auto dropped = std::count(keep.begin(), keep.end(), char{0});
     const auto column = printable(header_.names[static_cast<std::size_t>(first.field) - 1]);
-    if (tooMany(dropped))
+    if (tooMany(dropped, lacks(Role::accelerometer) && map_.hasAccelerometer() ? unfelt : kMissingShare))
       return errorAt({name_, first.line, first.field},
                      heft::say("values are missing or not finite in {} of {} rows, first in column {}.", dropped,
                                lines_.size(), column),

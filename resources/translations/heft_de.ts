@@ -9421,6 +9421,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Turn the last joint by half a turn and hold, then tilt the tool. No motion tells a sensor rotated about the last joint&apos;s axis from a wrong zero of that joint: look at the rig.</source>
         <translation>Das letzte Gelenk um eine halbe Drehung drehen und halten, dann das Werkzeug kippen. Einen um die Achse des letzten Gelenks verdrehten Sensor unterscheidet keine Bewegung von einer falschen Nullstellung dieses Gelenks: Sehen Sie am Aufbau nach.</translation>
     </message>
+    <message>
+        <source>No name says which column holds the time; {} rises in even steps and was taken.</source>
+        <translation>Kein Name sagt, welche Spalte die Zeit enthält; {} steigt in gleichmäßigen Schritten und wurde genommen.</translation>
+    </message>
+    <message>
+        <source>The recording is read from {:.3f} to {:.3f} s, where the accelerometer was there.</source>
+        <translation>Die Aufnahme wird von {:.3f} bis {:.3f} s gelesen, wo der Beschleunigungssensor da war.</translation>
+    </message>
 </context>
 <context>
     <name>heft::CarriedObjects</name>

@@ -41,18 +41,20 @@ TEST(MotionNoise, IsToldUnderAMotion) {
   std::mt19937_64 random(2);
   std::normal_distribution<double> normal;
   constexpr double kRate = 500.0;
-  Channels signal(4000, 3);
+  MatrixXd signal(4000, 3);
+  const VectorXd time = VectorXd::LinSpaced(4000, 0.0, 3999.0 / kRate);
   for (Eigen::Index k = 0; k < signal.rows(); ++k) {
     const double t = static_cast<double>(k) / kRate;
     const double motion = std::sin(2.0 * t) + 0.01 * std::sin(2.0 * std::numbers::pi * 9.0 * t);
     signal.row(k) << motion + 1e-4 * normal(random), motion + 1e-6 * normal(random), std::round(motion / 1e-4) * 1e-4;
   }
-  const auto noise = whiteNoiseOf(signal, kRate);
+  const auto noise = whiteNoiseOf(gridFor(time), time, signal);
   ASSERT_TRUE(noise.has_value());
   EXPECT_NEAR((*noise)(0), 1e-4, 1.5e-5);
   EXPECT_NEAR((*noise)(1), 1e-6, 3e-7);
   EXPECT_NEAR((*noise)(2), 1e-4 / std::sqrt(12.0), 1e-5) << "steps are noise of their size over root twelve";
-  EXPECT_FALSE(whiteNoiseOf(signal, 60.0).has_value()) << "too slow to tell";
+  EXPECT_FALSE(whiteNoiseOf(gridFor(kRate / 60.0 * time), kRate / 60.0 * time, signal).has_value())
+      << "too slow to tell";
 }
 
 /// A small set of the benchmark interval_study, fixed seed. 48 recordings: 0.95 less four standard deviations of chance

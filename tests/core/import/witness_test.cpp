@@ -23,7 +23,7 @@ Vector3d feltAt(double t) {
 class WitnessFiles : public InFolder {
  protected:
   /// `zero`: of the accelerometer's clock [s].
-  ImportOptions files(double zero, const std::string& names) const {
+  ImportOptions files(double zero, const std::string& names, int from = 0) const {
     std::string orientation = "t,qx,qy,qz,qw\n", wrench = "t,fx,fy,fz,tx,ty,tz\n", felt = names + "\n";
     const auto micros = [](double t) { return std::llround(1e6 * t); };
     for (int k = 0; k <= 1000; ++k) {
@@ -36,7 +36,7 @@ class WitnessFiles : public InFolder {
       const Vector3d f = kMass * feltAt(t);
       wrench += fmt::format("{},{:.9g},{:.9g},{:.9g},0.1,0.2,0.3\n", micros(kEpochStart + t), f.x(), f.y(), f.z());
     }
-    for (int k = 0; k <= 2500; ++k) {
+    for (int k = from; k <= 2500; ++k) {
       const double t = 0.004 * k;
       const Vector3d a = feltAt(t + kLate) / kStandardGravity;
       felt += fmt::format("{},{:.9g},{:.9g},{:.9g}\n", micros(zero + t), a.y(), a.z(), a.x());
@@ -103,6 +103,20 @@ TEST(WitnessCandidates, ImuMessagesGiveBothUnlessTheyRideElsewhere) {
   }
   EXPECT_EQ(camera, 2);
   EXPECT_EQ(tool, 2);
+}
+
+/// One that begins late is worth the rows before it where nothing else tells the acceleration, if they are not most.
+TEST_F(WitnessFiles, WhatBeginsLateShortensTheRecording) {
+  const auto late = files(kEpochStart, "t,ax,ay,az", 700);  // 2.8 of 10 s
+  const auto read = openRecording(folder_ / "orientation.csv", late);
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_TRUE(hasCode(read->findings, "accelerometer_span")) << allTexts(read->findings);
+  ASSERT_TRUE(read->recording.hasAccelerometer()) << allTexts(read->findings);
+  EXPECT_NEAR(read->recording.duration(), 7.2, 0.03);
+  const auto later = openRecording(folder_ / "orientation.csv", files(kEpochStart, "t,ax,ay,az", 1500));  // 6 of 10 s
+  ASSERT_TRUE(later.ok()) << later.error().message;
+  EXPECT_FALSE(later->recording.hasAccelerometer());
+  EXPECT_NEAR(later->recording.duration(), 10.0, 0.03);
 }
 
 }  // namespace

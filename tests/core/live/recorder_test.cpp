@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -85,6 +86,41 @@ TEST_F(LiveRecording, TheFirstMomentDecidesNotTheFirstSample) {
   const std::string text = InFolder::read(file);
   EXPECT_THAT(text, ::testing::HasSubstr("fx,fy,fz,tx,ty,tz,ax,ay,az,imu_wx,imu_wy,imu_wz\n"));
   EXPECT_THAT(text, ::testing::HasSubstr(",4,2,9.81,0.4,0,0.3\n"));
+}
+
+/// An inertial sensor that begins after the header was written gets its columns behind the others, and so does a
+/// gyroscope after it; no row is lost, and a pose without a place begins with it.
+TEST_F(LiveRecording, AnInertialSensorThatBeginsLateHasItsColumns) {
+  const auto file = folder_ / "late.csv";
+  const auto feltFrom = 100, turnedFrom = 160, all = 400;
+  {
+    auto recorder = Recorder::create(file, RecordingMeta());
+    ASSERT_TRUE(recorder.ok()) << recorder.error().message;
+    for (int k = 0; k < all; ++k) {
+      LiveSample sample = sampleAt(1000.0 + 0.01 * k);
+      sample.q.reset();
+      sample.orientation = Quaterniond(std::cos(0.001 * k), std::sin(0.001 * k), 0.0, 0.0);
+      if (k >= feltFrom) sample.accelerometer = Vector3d(0.01 * k, 2.0, 9.81);
+      if (k >= turnedFrom) sample.gyroscope = Vector3d(0.01 * k, 0.0, 0.3);
+      if (k == 50 || k == 130) recorder->flush();
+      EXPECT_TRUE(recorder->add(sample));
+    }
+    EXPECT_TRUE(recorder->flush()) << recorder->problem();
+    EXPECT_EQ(recorder->rows(), static_cast<std::uint64_t>(all));
+  }
+  const std::string text = InFolder::read(file);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), all + 1);
+  EXPECT_THAT(text, ::testing::HasSubstr("qx,qy,qz,qw,fx,fy,fz,tx,ty,tz,ax,ay,az,imu_wx,imu_wy,imu_wz\n"));
+  const auto read = readRecording(file);
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  const auto& recording = read->recording;
+  ASSERT_TRUE(recording.hasAccelerometer()) << text.substr(0, 200);
+  ASSERT_EQ(recording.gyroscope.rows(), recording.rows());
+  EXPECT_EQ(recording.rows(), all - turnedFrom);
+  EXPECT_NEAR(recording.accelerometer(0, 0), 0.01 * turnedFrom, 1e-12);
+  EXPECT_NEAR(recording.gyroscope(0, 0), 0.01 * turnedFrom, 1e-12);
+  for (const auto& entry : std::filesystem::directory_iterator(folder_))
+    EXPECT_THAT(entry.path().filename().string(), ::testing::StartsWith("late.")) << "nothing is left beside it";
 }
 
 TEST_F(LiveRecording, NeverReplacesAFile) {
