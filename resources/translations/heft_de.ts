@@ -8366,10 +8366,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Etwa {} g im Werkzeug sind lose und rollen an eine andere Stelle, wenn es sich dreht.</translation>
     </message>
     <message>
-        <source>Something in the tool is loose and rolls to another place as the tool turns.</source>
-        <translation>Etwas im Werkzeug ist lose und rollt an eine andere Stelle, wenn es sich dreht.</translation>
-    </message>
-    <message>
         <source>Near the end of its range the channel {} reads {} % too little.</source>
         <translation>Nahe dem Ende seines Messbereichs zeigt der Kanal {} {} % weniger, als da ist.</translation>
     </message>
@@ -9420,6 +9416,10 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Turn the last joint by half a turn and hold, then tilt the tool. No motion tells a sensor rotated about the last joint&apos;s axis from a wrong zero of that joint: look at the rig.</source>
         <translation>Das letzte Gelenk um eine halbe Drehung drehen und halten, dann das Werkzeug kippen. Einen um die Achse des letzten Gelenks verdrehten Sensor unterscheidet keine Bewegung von einer falschen Nullstellung dieses Gelenks: Sehen Sie am Aufbau nach.</translation>
+    </message>
+    <message>
+        <source>The posture leaps here within one row: rows are missing, or two recordings were joined.</source>
+        <translation>Die Haltung springt hier von einer Zeile zur nächsten: Zeilen fehlen, oder zwei Aufnahmen wurden aneinandergefügt.</translation>
     </message>
 </context>
 <context>
