@@ -5034,8 +5034,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Aufnahme hat {} Zeilen; mindestens {} sind nötig, um zu wissen, wie sich das Werkzeug bewegt hat.</translation>
     </message>
     <message>
-        <source>The time steps differ too much: {} rows span {:.1f} s but most are {:.2g} s apart. Cut the recording at its gaps.</source>
-        <translation>Die Zeitschritte sind zu verschieden: {} Zeilen umfassen {:.1f} s, aber die meisten liegen {:.2g} s auseinander. Zerschneiden Sie die Aufnahme an ihren Lücken.</translation>
+        <source>The time steps differ too much: {} rows span {:.1f} s but most are {:.2g} s apart. Cut the recording at its gaps; the longest is between row {} at {:.3f} s and the next at {:.3f} s.</source>
+        <translation>Die Zeitschritte sind zu verschieden: {} Zeilen umfassen {:.1f} s, aber die meisten liegen {:.2g} s auseinander. Zerschneiden Sie die Aufnahme an ihren Lücken; die längste liegt zwischen Zeile {} bei {:.3f} s und der nächsten bei {:.3f} s.</translation>
     </message>
     <message>
         <source>The robot &quot;{}&quot; has {} joints; at most 7 can be followed.</source>
