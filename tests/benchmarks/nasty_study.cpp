@@ -1,8 +1,8 @@
 // Recordings that are valid and nasty: what loggers, sensors and people do to them, one or two things at a time, with
 // tools of 5 g to 20 kg.
-//   nasty_study [RECORDINGS=200] [SEED=1] [RECORDING]
+//   nasty_study [RECORDINGS=200] [SEED=1] [RECORDING [FILE.csv]]
 // Of the numbers that are called measured ("data"): how many are more than 4 and 5 standard deviations off, and whether
-// a warning stood beside them. With the number of one recording, only that one.
+// a warning stood beside them. With the number of one recording, only that one, which is written to FILE.csv.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -243,7 +243,7 @@ void judge(const EstimateReport& report, const Payload& truth, const std::string
   }
 }
 
-void one(unsigned seed, unsigned index, Tally& tally) {
+void one(unsigned seed, unsigned index, Tally& tally, const char* file = nullptr) {
   Random random(seed * 100003u + index);
   Payload payload = test::randomTool(random).payload;
   const double mass =
@@ -272,6 +272,7 @@ void one(unsigned seed, unsigned index, Tally& tally) {
     ++tally.refused;
     return;
   }
+  if (file) (void)writeRecording(checked->recording, file);
   auto report = estimate(checked->recording, &RobotModel::panda(), {});
   if (!report) {
     ++tally.refused;
@@ -288,7 +289,7 @@ int main(int argc, char** argv) {
   const unsigned seed = argc > 2 ? static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10)) : 1;
   Tally tally;
   if (argc > 3)
-    one(seed, static_cast<unsigned>(std::strtoul(argv[3], nullptr, 10)), tally);
+    one(seed, static_cast<unsigned>(std::strtoul(argv[3], nullptr, 10)), tally, argc > 4 ? argv[4] : nullptr);
   else
     for (int k = 0; k < recordings; ++k) one(seed, static_cast<unsigned>(k), tally);
   const double share = 100.0 / std::max(1, tally.claims);
