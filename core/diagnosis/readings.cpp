@@ -14,20 +14,37 @@
 #include "core/diagnosis/pipeline/set_aside.h"
 #include "core/diagnosis/pipeline/smoothing_candidate.h"
 #include "core/recording/channels.h"
+#include "core/recording/leaps.h"
 
 namespace heft::diagnosis {
 
 namespace {
 
-/// Marks the rows that dead bands leave nothing of as bad, unless hardly any others are left.
-void setAside(const std::vector<DeadBand>& bands, std::vector<bool>& bad, Eigen::Index rows) {
-  if (bands.empty()) return;
+/// Marks the rows of the runs as bad, unless hardly any others are left.
+void setAside(const Runs& runs, std::vector<bool>& bad, Eigen::Index rows) {
+  if (runs.empty()) return;
   std::vector<bool> all = bad;
   all.resize(static_cast<std::size_t>(rows), false);
-  for (const DeadBand& band : bands)
-    for (const auto& [from, to] : band.runs) std::fill(all.begin() + from, all.begin() + to, true);
+  for (const auto& [from, to] : runs) std::fill(all.begin() + from, all.begin() + to, true);
   if (static_cast<double>(std::ranges::count(all, true)) < kClearMajority * static_cast<double>(rows))
     bad = std::move(all);
+}
+
+/// What dead bands leave nothing of.
+Runs hiddenBy(const std::vector<DeadBand>& bands) {
+  Runs out;
+  for (const DeadBand& band : bands) out.insert(out.end(), band.runs.begin(), band.runs.end());
+  return out;
+}
+
+/// Where filters make of a leap of the posture what no arm did.
+Runs aroundLeaps(const Recording& recording) {
+  Runs out;
+  const VectorXd& time = recording.time;
+  const auto rowAt = [&time](double t) { return std::lower_bound(time.begin(), time.end(), t) - time.begin(); };
+  for (const Eigen::Index k : postureLeaps(recording))
+    out.emplace_back(rowAt(time(k - 1) - kAroundLeap), rowAt(time(k) + kAroundLeap));
+  return out;
 }
 
 /// Undoes the mistake in the recordings, and learns what is told of it: how much it left over, and a mount's turn to a
@@ -130,7 +147,8 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   leaveOutSpoiledRows(recording, out);
   out.steps = facts.coarse.steps;
   out.deadBands = std::move(facts.deadBands);
-  setAside(out.deadBands, out.bad, recording.rows());
+  setAside(hiddenBy(out.deadBands), out.bad, recording.rows());
+  setAside(aroundLeaps(recording), out.bad, recording.rows());
   return out;
 }
 

@@ -313,9 +313,12 @@ std::optional<WrenchRows> noisierBlocks(const Recording& recording, const RobotM
   return blocksOf(understood(std::move(*motion), as), recording, as.held);
 }
 
-/// FitRows::stride that readings of single moments need: above the motion's band there is nothing beside them, unless a
-/// block is the mean of several.
-int strideFor(const HeldValues& held) { return held.period * kBlockRate > 0.6 ? 2 : 1; }
+/// FitRows::stride that is needed at least. Readings of single moments: above the motion's band there is nothing beside
+/// them, unless a block is the mean of several. Rows so slow that the motion's cut-off is lowered for them: it then
+/// lies within the blocks' band, where it takes from the motion what the wrench keeps.
+int strideFor(const HeldValues& held, double rateHz) {
+  return std::max(held.period * kBlockRate > 0.6 ? 2 : 1, strideOfSlowRows(rateHz));
+}
 
 /// `widest`: the blocks of the motion at the widest band, if that was not told. Smoothing of another kind, and a tool
 /// that stands still, are taken as they are.
@@ -323,7 +326,7 @@ FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const Es
                    const Understanding& as, const Prepared& prepared, std::optional<WrenchRows> widest) {
   const LearnedNoise learned{prepared.noise, prepared.weights, {}};
   FitRowsQuestion question{prepared.blocks, prepared.runs, {prepared.silent, prepared.rounding}, {}, &learned};
-  question.atLeast = strideFor(as.held);
+  question.atLeast = strideFor(as.held, recording.rateHz());
   if (prepared.cutoffHz <= 0.0 || prepared.still) return fitRowsOf(question);
   const int stride = std::max(1, static_cast<int>(std::lround(kDefaultCutoffHz / prepared.cutoffHz)));
   MotionOptions wide = options.motion;
@@ -342,12 +345,19 @@ FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const Es
                         noisierBlocks(recording, robot, wide, as),
                         own ? &learned : nullptr};
   about.predicts = stride;
-  about.atLeast = strideFor(as.held);
+  about.atLeast = strideFor(as.held, recording.rateHz());
   about.fixed = fixed;
   return fitRowsOf(about);
 }
 
 }  // namespace
+
+int strideOfSlowRows(double rateHz) {
+  constexpr double kLowered = 0.4;    // Of the rate, as MotionOptions::cutoffHz says
+  constexpr double kHundredth = 0.9;  // Of such a cut-off: there the low-pass takes a hundredth.
+  constexpr double kTremor = 12.0;    // [Hz] Hands do not tremble faster.
+  return kHundredth * kLowered * rateHz < kTremor ? 2 : 1;
+}
 
 bool Prepared::used(Eigen::Index block) const {
   return std::any_of(runs.begin(), runs.end(), [block](const Run& run) { return block >= run.from && block < run.to; });

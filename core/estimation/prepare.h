@@ -48,6 +48,10 @@ struct Prepared {
 Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                          const Progress& progress, bool checkConventions = false);
 
+/// FitRowsQuestion::atLeast for rows at this rate. Where they are so slow that the low-pass, whose cut-off is lowered
+/// for them, takes more than a hundredth of a hand's tremor, motion and wrench are narrowed together.
+int strideOfSlowRows(double rateHz);
+
 /// Contiguous blocks of [from, to) that are labelled free, at least `shortest` long.
 std::vector<Run> runsOf(const std::vector<MarkLabel>& labels, Eigen::Index from, Eigen::Index to,
                         Eigen::Index shortest);

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "core/import/json_numbers.h"
-#include "core/live/clock.h"
 #include "core/live/field_mapper.h"
 #include "core/live/source.h"
 #include "core/live/websocket.h"
+#include "core/recording/clock.h"
 
 namespace heft {
 

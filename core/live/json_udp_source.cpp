@@ -6,10 +6,10 @@
 #include "core/base/say.h"
 #include "core/import/json_numbers.h"
 #include "core/import/time_column.h"
-#include "core/live/clock.h"
 #include "core/live/field_mapper.h"
 #include "core/live/network.h"
 #include "core/live/sources.h"
+#include "core/recording/clock.h"
 
 namespace heft {
 

@@ -7,9 +7,9 @@
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/bytes.h"
-#include "core/live/clock.h"
 #include "core/live/network.h"
 #include "core/live/sources.h"
+#include "core/recording/clock.h"
 
 namespace heft {
 

@@ -77,15 +77,17 @@ void filterForwardBackward(const std::vector<Biquad>& sections, Channels& signal
   }
 }
 
-VectorXd centralDifferenceKernel(int derivative, double rateHz) {
-  VectorXd kernel(9);
-  if (derivative == 1) {
-    kernel << 1.0 / 280.0, -4.0 / 105.0, 1.0 / 5.0, -4.0 / 5.0, 0.0, 4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0;
-    return kernel * rateHz;
+VectorXd centralDifferenceKernel(int derivative, double rateHz, int reach) {
+  VectorXd kernel = VectorXd::Zero(2 * reach + 1);
+  double share = 1.0;  // reach!^2 / ((reach - k)! (reach + k)!), with the sign of k
+  for (int k = 1; k <= reach; ++k) {
+    share *= (k == 1 ? 1.0 : -1.0) * static_cast<double>(reach - k + 1) / static_cast<double>(reach + k);
+    const double weight = derivative == 1 ? share / k * rateHz : 2.0 * share / (k * k) * rateHz * rateHz;
+    kernel(reach + k) = weight;
+    kernel(reach - k) = derivative == 1 ? -weight : weight;
   }
-  kernel << -1.0 / 560.0, 8.0 / 315.0, -1.0 / 5.0, 8.0 / 5.0, -205.0 / 72.0, 8.0 / 5.0, -1.0 / 5.0, 8.0 / 315.0,
-      -1.0 / 560.0;
-  return kernel * (rateHz * rateHz);
+  if (derivative == 2) kernel(reach) = -kernel.sum();
+  return kernel;
 }
 
 VectorXd convolved(const VectorXd& a, const VectorXd& b) {

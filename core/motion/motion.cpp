@@ -56,6 +56,23 @@ Eigen::Index settlingRows(const std::vector<Biquad>& sections) {
   return static_cast<Eigen::Index>(std::ceil(std::log(kForgotten) / std::log(slowest)));
 }
 
+/// Reach of the shortest central differences of a slope that are right to a thousandth at the cutoff; the longest where
+/// that lies close to half the rate.
+int reachFor(double cutoffHz, double rateHz) {
+  constexpr double kRight = 1e-3;
+  constexpr int kLeastReach = 4, kMostReach = 16;
+  const double w = 2.0 * std::numbers::pi * cutoffHz / rateHz;
+  const auto off = [w](int reach) {
+    const VectorXd kernel = centralDifferenceKernel(1, 1.0, reach);
+    double slope = 0.0;
+    for (int k = 1; k <= reach; ++k) slope += 2.0 * kernel(reach + k) * std::sin(k * w);
+    return std::abs(slope / w - 1.0);
+  };
+  int reach = kLeastReach;
+  while (reach < kMostReach && off(reach) > kRight) ++reach;
+  return reach;
+}
+
 /// One smoother for every channel of a recording, so that motion and wrench pass through the same filter.
 class Smoother {
  public:
@@ -75,10 +92,11 @@ class Smoother {
       sections_ = butterworthLowPass(6, cutoff_, grid.rateHz);
       // Derivatives commute with the average, so one set of weights does both.
       kernels_[0] = averagingKernel(output_.stride);
+      const int reach = reachFor(cutoff_, grid.rateHz);
       for (const int d : {1, 2})
-        kernels_[static_cast<std::size_t>(d)] = convolved(kernels_[0], centralDifferenceKernel(d, grid.rateHz));
+        kernels_[static_cast<std::size_t>(d)] = convolved(kernels_[0], centralDifferenceKernel(d, grid.rateHz, reach));
       const double remembers = denoise_ ? 1.0 : 2.0 / cutoff_;  // [s]
-      pad_ = static_cast<Eigen::Index>(std::ceil(remembers * grid.rateHz)) + output_.stride + 4;
+      pad_ = static_cast<Eigen::Index>(std::ceil(remembers * grid.rateHz)) + output_.stride + reach;
       settles_ = std::max(pad_, (twicing_ ? 2 : 1) * settlingRows(sections_));
     }
   }
@@ -393,11 +411,15 @@ Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, con
     return Error{heft::say("The recording has {} rows; at least {} are needed to know how the tool moved.",
                            recording.rows(), needed)};
   const UniformGrid grid = gridFor(recording.time);
-  if (grid.size > 20 * recording.rows() + 1000)
-    return Error{
-        heft::say("The time steps differ too much: {} rows span {:.1f} s but most are {:.2g} s apart. Cut the "
-                  "recording at its gaps.",
-                  recording.rows(), recording.duration(), 1.0 / grid.rateHz)};
+  if (grid.size > 20 * recording.rows() + 1000) {
+    const Eigen::Index n = recording.rows();
+    Eigen::Index before = 0;
+    (recording.time.tail(n - 1) - recording.time.head(n - 1)).maxCoeff(&before);
+    return Error{heft::say(
+        "The time steps differ too much: {} rows span {:.1f} s but most are {:.2g} s apart. Cut the "
+        "recording at its gaps; the longest is between row {} at {:.3f} s and the next at {:.3f} s.",
+        n, recording.duration(), 1.0 / grid.rateHz, before + 1, recording.time(before), recording.time(before + 1))};
+  }
   Smoother smoother(options, grid);
   Motion motion;
   motion.rateHz = grid.rateHz / smoother.output().stride;

@@ -129,7 +129,9 @@ struct OnlineEstimator::Impl {
   WideBand wideBeside(std::size_t lane) const {
     WideBand out;
     const auto &wide = lanes.front().blocks.time, &time = lanes[lane].blocks.time;
-    if (lane == 0 || time.empty()) return out;
+    const int stride =
+        std::max(strideAt(lanes[lane].cutoffHz()), stream.ready() ? strideOfSlowRows(stream.rateHz()) : 1);
+    if (stride == 1 || time.empty()) return out;
     const auto from = indexAt(lanes.front().blocks, time.front());
     Eigen::Index count = 0;
     const auto most = std::min(static_cast<Eigen::Index>(time.size()), lanes.front().blocks.size() - from);
@@ -137,7 +139,7 @@ struct OnlineEstimator::Impl {
            std::abs(wide[static_cast<std::size_t>(from + count)] - time[static_cast<std::size_t>(count)]) < 1e-6)
       ++count;
     out.blocks = lanes.front().blocks.rows(from, from + count);
-    out.stride = strideAt(lanes[lane].cutoffHz());
+    out.stride = stride;
     return out;
   }
 

@@ -40,7 +40,7 @@ bool SampleStream::usable(const OnlineSample& s) const {
   if (s.dq && !finite(*s.dq, dof_)) return false;
   if (samples_.empty()) return true;
   const OnlineSample& last = samples_.back();
-  if (!(s.time > last.time)) return false;
+  if (!(s.time > newestStamp_)) return false;
   if (s.pose.has_value() != last.pose.has_value()) return false;
   if (s.pose) return s.pose->position.has_value() == last.pose->position.has_value();
   return s.dq.has_value() == last.dq.has_value();
@@ -68,11 +68,34 @@ Took SampleStream::add(const OnlineSample& sample) {
         pose->orientation.coeffs().dot(samples_[samples_.size() - 2].pose->orientation.coeffs()) < 0.0)
       pose->orientation.coeffs() *= -1.0;
   }
+  newestStamp_ = sample.time;
+  setTimes();
   if (rateHz_ == 0.0) findRate();
   return Took::yes;
 }
 
+void SampleStream::setTimes() {
+  constexpr double kLeast = 1e-6;  // [s] between two samples
+  OnlineSample& newest = samples_.back();
+  VectorXd motion(newest.pose ? (newest.pose->position ? 7 : 4) : dof_);
+  if (newest.pose) {
+    motion.head<4>() = newest.pose->orientation.coeffs();
+    if (newest.pose->position) motion.tail<3>() = *newest.pose->position;
+  } else {
+    motion = Eigen::Map<const VectorXd>(newest.q->data(), dof_);
+  }
+  newest.time = even_.timeOf(newest.time, std::move(motion));
+  const std::vector<double> corrected = even_.corrected();
+  const std::size_t count = std::max<std::size_t>(1, std::min(corrected.size(), samples_.size()));
+  for (std::size_t i = samples_.size() - count; i < samples_.size(); ++i) {
+    if (!corrected.empty()) samples_[i].time = corrected[corrected.size() - (samples_.size() - i)];
+    if (i > 0) samples_[i].time = std::max(samples_[i].time, samples_[i - 1].time + kLeast);
+  }
+  if (first_ == 0 && count == samples_.size()) startTime_ = samples_.front().time;
+}
+
 void SampleStream::clear() {
+  even_.beginStretch();
   samples_.clear();
   first_ = cleaned_ = 0;
 }

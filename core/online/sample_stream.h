@@ -2,6 +2,7 @@
 // The newest samples, brought onto one uniform grid so that the batch's filters can work on windows of them.
 #include <deque>
 
+#include "core/online/even_stamps.h"
 #include "core/online/online_estimator.h"
 
 namespace heft {
@@ -13,7 +14,8 @@ enum class Took {
   gap,      ///< Not taken: it comes after a gap, and the samples before it have to be finished first.
 };
 
-/// One stretch without gaps. Grid instants k = 0, 1, ... lie at startTime() + k / rateHz().
+/// One stretch without gaps, its samples at the times that EvenStamps tells. Grid instants k = 0, 1, ... lie at
+/// startTime() + k / rateHz().
 class SampleStream {
  public:
   /// `dof` of the robot, 0 if there is none.
@@ -40,6 +42,8 @@ class SampleStream {
  private:
   bool usable(const OnlineSample& sample) const;
   void findRate();
+  /// Gives the newest sample, and those before it where that is known only now, the time at which it was measured.
+  void setTimes();
 
   RecordingMeta meta_;
   int dof_;
@@ -47,6 +51,8 @@ class SampleStream {
   std::uint64_t first_ = 0;    ///< Number of samples of this stretch that were dropped from the front.
   std::uint64_t cleaned_ = 0;  ///< Number of samples of this stretch whose spikes have been looked for.
   double startTime_ = 0.0, rateHz_ = 0.0;
+  double newestStamp_ = 0.0;  ///< [s] As it came
+  EvenStamps even_;
 };
 
 }  // namespace heft

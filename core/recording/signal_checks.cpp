@@ -5,6 +5,7 @@
 
 #include "core/base/say.h"
 #include "core/recording/frozen.h"
+#include "core/recording/leaps.h"
 
 namespace heft {
 
@@ -173,53 +174,29 @@ class SignalChecker {
   }
 
   void noteJumps() {
-    constexpr double kFastest = 30.0;        // [rad/s] ten times what arms reach
-    constexpr double kFastestLinear = 30.0;  // [m/s]
-    const auto find = [&](const auto& step, double fastest, double smallest) {
-      std::pair<Eigen::Index, Eigen::Index> countAndFirst{0, 0};
-      for (Eigen::Index k = 1; k < rows_; ++k) {
-        const double size = step(k);
-        if (size > smallest && size > fastest * (time_(k) - time_(k - 1)) && countAndFirst.first++ == 0)
-          countAndFirst.second = k;
-      }
-      return countAndFirst;
-    };
-    const auto report = [&](const std::pair<Eigen::Index, Eigen::Index>& found, long field, const std::string& what,
-                            double size, const std::string& unit) {
-      if (found.first == 0) return;
-      examined_.note(Severity::warning, "motion_jump", examined_.at(found.second, field),
+    const auto report = [&](const std::vector<Eigen::Index>& leaps, long field, const std::string& what, double size,
+                            const std::string& unit) {
+      examined_.note(Severity::warning, "motion_jump", examined_.at(leaps.front(), field),
                      heft::say("{} jumps by {:.3g} {} within one row{}.", what, size, unit,
-                               found.first > 1 ? heft::say(", and {} times more", found.first - 1) : std::string()),
+                               leaps.size() > 1 ? heft::say(", and {} times more", leaps.size() - 1) : std::string()),
                      heft::say("Mark that place as \"ignore\" or split the recording there."));
     };
-    if (recording_.q.rows() > 0) {
-      const auto step = [&](Eigen::Index k) {
-        return (recording_.q.row(k) - recording_.q.row(k - 1)).cwiseAbs().maxCoeff();
-      };
-      const auto found = find(step, kFastest, 0.2);
+    if (const auto leaps = jointLeaps(time_, recording_.q); !leaps.empty()) {
       Eigen::Index joint = 0;
-      double size = 0.0;
-      if (found.first > 0)
-        size = (recording_.q.row(found.second) - recording_.q.row(found.second - 1)).cwiseAbs().maxCoeff(&joint);
-      report(found, examined_.map.joints[static_cast<std::size_t>(joint)],
+      const double size =
+          (recording_.q.row(leaps.front()) - recording_.q.row(leaps.front() - 1)).cwiseAbs().maxCoeff(&joint);
+      report(leaps, examined_.map.joints[static_cast<std::size_t>(joint)],
              columnName(Role::joint, static_cast<int>(joint)), size, "rad");
     }
-    if (recording_.quaternion.rows() > 0) {
-      const auto step = [&](Eigen::Index k) {
-        return 2.0 * (recording_.quaternion.row(k) - recording_.quaternion.row(k - 1)).norm();
-      };
-      const auto found = find(step, kFastest, 0.2);
-      report(found, examined_.map.quaternion[0], heft::say("The orientation"),
-             found.first > 0 ? step(found.second) : 0.0, heft::say("rad (about)"));
-    }
-    if (recording_.position.rows() > 0) {
-      const auto step = [&](Eigen::Index k) {
-        return (recording_.position.row(k) - recording_.position.row(k - 1)).norm();
-      };
-      const auto found = find(step, kFastestLinear, 0.1);
-      report(found, examined_.map.position[0], heft::say("The position"), found.first > 0 ? step(found.second) : 0.0,
+    const auto size = [](const auto& values, Eigen::Index row) {
+      return (values.row(row) - values.row(row - 1)).norm();
+    };
+    if (const auto leaps = orientationLeaps(time_, recording_.quaternion); !leaps.empty())
+      report(leaps, examined_.map.quaternion[0], heft::say("The orientation"),
+             2.0 * size(recording_.quaternion, leaps.front()), heft::say("rad (about)"));
+    if (const auto leaps = positionLeaps(time_, recording_.position); !leaps.empty())
+      report(leaps, examined_.map.position[0], heft::say("The position"), size(recording_.position, leaps.front()),
              "m");
-    }
   }
 
   /// A sensor zeroed with the payload on starts at nothing. That is no harm, but surprises whoever compares biases.

@@ -5,6 +5,7 @@
 #include "core/base/say.h"
 #include "core/math/statistics.h"
 #include "core/recording/frozen.h"
+#include "core/recording/leaps.h"
 #include "core/segmentation/flat_tops.h"
 
 namespace heft {
@@ -50,6 +51,27 @@ void addGaps(const VectorXd& time, std::vector<Trouble>& out) {
       out.push_back({time(k - 1), time(k), heft::say("Nothing was recorded here.")});
 }
 
+/// Around where the posture stands still and leaps, or leaps at once, filters make of it what no arm did.
+void addLeaps(const Recording& recording, std::vector<Trouble>& out) {
+  const VectorXd& time = recording.time;
+  const auto add = [&](double from, double to, const std::string& reason) {
+    from = std::max(time(0), from - kAroundLeap);
+    to = std::min(time(time.size() - 1), to + kAroundLeap);
+    if (!out.empty() && out.back().reason == reason && from <= out.back().to)
+      out.back().to = to;
+    else
+      out.push_back({from, to, reason});
+  };
+  for (const FrozenStretch& hung :
+       hungPostures(time, recording.hasOrientation() ? MatrixXd(recording.quaternion) : recording.q))
+    if (hung.length() < time.size())
+      add(time(hung.from), time(hung.to - 1),
+          heft::say("The posture is frozen here and jumps afterwards: the robot sent nothing new."));
+  for (const Eigen::Index k : postureLeaps(recording))
+    add(time(k - 1), time(k),
+        heft::say("The posture leaps here within one row: rows are missing, or two recordings were joined."));
+}
+
 }  // namespace
 
 std::vector<Trouble> sensorTrouble(const Recording& recording) {
@@ -72,9 +94,6 @@ std::vector<Trouble> sensorTrouble(const Recording& recording) {
     for (const FrozenStretch& alone : frozenAlone(time, changesOf(wrench.col(c)), changes))
       add(alone, heft::say("{} is frozen here while others go on: it was not measured.", nameOf(c)));
   }
-  for (const FrozenStretch& hung :
-       hungPostures(time, recording.hasOrientation() ? MatrixXd(recording.quaternion) : recording.q))
-    add(hung, heft::say("The posture is frozen here and jumps afterwards: the robot sent nothing new."));
   for (const FlatTop& flat : tops) {
     if (cut[static_cast<std::size_t>(flat.channel)]) continue;
     const std::string reason = heft::say("{} is cut off at {:.4g} {}: the sensor is at the end of its range.",
@@ -82,6 +101,7 @@ std::vector<Trouble> sensorTrouble(const Recording& recording) {
     for (const FrozenStretch& stretch : cutStretches(flat, time)) add(stretch, reason);
   }
   addGaps(time, out);
+  addLeaps(recording, out);
   std::sort(out.begin(), out.end(), [](const Trouble& a, const Trouble& b) { return a.from < b.from; });
   return out;
 }

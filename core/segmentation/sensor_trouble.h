@@ -16,7 +16,8 @@ struct Trouble {
 /// (frozenAlone()), the posture did (hungPostures()), nothing was recorded (rows are missing for more
 /// than 20 ms: what lies between was made up), or a channel is cut off at the end of its range
 /// (flatTops()) in three rows or more with at most 40 ms between them. Of a channel that is cut off in most rows
-/// (mostlyCutOff()) nothing is said.
+/// (mostlyCutOff()) nothing is said. Where the posture hung or
+/// leaps (postureLeaps()), kAroundLeap to either side counts, too.
 std::vector<Trouble> sensorTrouble(const Recording& recording);
 
 }  // namespace heft

@@ -5034,10 +5034,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Aufnahme hat {} Zeilen; mindestens {} sind nötig, um zu wissen, wie sich das Werkzeug bewegt hat.</translation>
     </message>
     <message>
-        <source>The time steps differ too much: {} rows span {:.1f} s but most are {:.2g} s apart. Cut the recording at its gaps.</source>
-        <translation>Die Zeitschritte sind zu verschieden: {} Zeilen umfassen {:.1f} s, aber die meisten liegen {:.2g} s auseinander. Zerschneiden Sie die Aufnahme an ihren Lücken.</translation>
-    </message>
-    <message>
         <source>The robot &quot;{}&quot; has {} joints; at most 7 can be followed.</source>
         <translation>Der Roboter „{}“ hat {} Gelenke; höchstens 7 können verfolgt werden.</translation>
     </message>
@@ -8366,10 +8362,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Etwa {} g im Werkzeug sind lose und rollen an eine andere Stelle, wenn es sich dreht.</translation>
     </message>
     <message>
-        <source>Something in the tool is loose and rolls to another place as the tool turns.</source>
-        <translation>Etwas im Werkzeug ist lose und rollt an eine andere Stelle, wenn es sich dreht.</translation>
-    </message>
-    <message>
         <source>Near the end of its range the channel {} reads {} % too little.</source>
         <translation>Nahe dem Ende seines Messbereichs zeigt der Kanal {} {} % weniger, als da ist.</translation>
     </message>
@@ -9428,6 +9420,14 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The recording is read from {:.3f} to {:.3f} s, where the accelerometer was there.</source>
         <translation>Die Aufnahme wird von {:.3f} bis {:.3f} s gelesen, wo der Beschleunigungssensor da war.</translation>
+    </message>
+    <message>
+        <source>The time steps differ too much: {} rows span {:.1f} s but most are {:.2g} s apart. Cut the recording at its gaps; the longest is between row {} at {:.3f} s and the next at {:.3f} s.</source>
+        <translation>Die Zeitschritte sind zu verschieden: {} Zeilen umfassen {:.1f} s, aber die meisten liegen {:.2g} s auseinander. Zerschneiden Sie die Aufnahme an ihren Lücken; die längste liegt zwischen Zeile {} bei {:.3f} s und der nächsten bei {:.3f} s.</translation>
+    </message>
+    <message>
+        <source>The posture leaps here within one row: rows are missing, or two recordings were joined.</source>
+        <translation>Die Haltung springt hier von einer Zeile zur nächsten: Zeilen fehlen, oder zwei Aufnahmen wurden aneinandergefügt.</translation>
     </message>
 </context>
 <context>

@@ -40,10 +40,19 @@ struct Logger {
   double stepN = 0.0;       ///< Of the forces; the torques' is a twentieth [N m]
   int held = 0;             ///< [rows] Each value of the wrench is repeated so often
   double longestGap = 0.0;  ///< [s] Two gaps a second, of 5 ms to this
+  int every = 1;            ///< [rows] One of so many is kept
 };
 constexpr Logger kLoggers[] = {
-    {"steps 1 N", 1.0},      {"steps 0.2 N", 0.2},          {"held 20 ms", 0.0, 20},
-    {"held 50 ms", 0.0, 50}, {"gaps 44 ms", 0.0, 0, 0.044}, {"steps 1 N held 20 ms", 1.0, 20}};
+    {"steps 1 N", 1.0},         {"steps 0.2 N", 0.2},          {"held 20 ms", 0.0, 20},
+    {"held 50 ms", 0.0, 50},    {"gaps 44 ms", 0.0, 0, 0.044}, {"steps 1 N held 20 ms", 1.0, 20},
+    {"30 Hz", 0.0, 0, 0.0, 33}, {"50 Hz", 0.0, 0, 0.0, 20},    {"20 Hz", 0.0, 0, 0.0, 50}};
+
+void keepRows(Recording& recording, const std::vector<Eigen::Index>& rows) {
+  recording.time = recording.time(rows).eval();
+  recording.q = recording.q(rows, Eigen::all).eval();
+  if (recording.dq.rows() > 0) recording.dq = recording.dq(rows, Eigen::all).eval();
+  recording.wrench = recording.wrench(rows, Eigen::all).eval();
+}
 
 void logBy(const Logger& logger, Recording& recording, std::mt19937& random) {
   if (logger.held > 1)
@@ -56,8 +65,10 @@ void logBy(const Logger& logger, Recording& recording, std::mt19937& random) {
       // larger.
       for (double& reading : recording.wrench.col(c)) reading = std::nearbyint(reading / step) * step;
     }
-  if (logger.longestGap <= 0.0) return;
   std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < recording.rows() && logger.every > 1; k += logger.every) kept.push_back(k);
+  if (!kept.empty()) return keepRows(recording, kept);
+  if (logger.longestGap <= 0.0) return;
   std::uniform_real_distribution<double> length(0.005, logger.longestGap), pause(0.2, 0.8);
   double next = pause(random), until = 0.0;
   for (Eigen::Index k = 0; k < recording.rows(); ++k) {
@@ -68,10 +79,7 @@ void logBy(const Logger& logger, Recording& recording, std::mt19937& random) {
     }
     if (t >= until) kept.push_back(k);
   }
-  recording.time = recording.time(kept).eval();
-  recording.q = recording.q(kept, Eigen::all).eval();
-  if (recording.dq.rows() > 0) recording.dq = recording.dq(kept, Eigen::all).eval();
-  recording.wrench = recording.wrench(kept, Eigen::all).eval();
+  keepRows(recording, kept);
 }
 
 void printClass(const std::string& name, const test::CoverageOptions& options, int recordings, int threads) {

@@ -1,13 +1,12 @@
 // Recordings that are valid and nasty: what loggers, sensors and people do to them, one or two things at a time, with
 // tools of 5 g to 20 kg.
-//   nasty_study [RECORDINGS=200] [SEED=1]
+//   nasty_study [RECORDINGS=200] [SEED=1] [RECORDING [FILE.csv]]
 // Of the numbers that are called measured ("data"): how many are more than 4 and 5 standard deviations off, and whether
-// a warning stood beside them.
+// a warning stood beside them. With the number of one recording, only that one, which is written to FILE.csv.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <numeric>
 #include <random>
 #include <string>
@@ -219,10 +218,12 @@ constexpr Nastiness kAll[] = {{"thinned", thinned},
 
 struct Tally {
   int recordings = 0, refused = 0, claims = 0, beyond4 = 0, beyond5 = 0, silent = 0, notFinite = 0;
-  std::map<std::string, int> bad;  ///< Beyond 4, by what had happened
+  std::vector<std::string> bad;  ///< Beyond 4
 };
 
+/// `what`: which recording, and what happened to it.
 void judge(const EstimateReport& report, const Payload& truth, const std::string& what, Tally& tally) {
+  constexpr const char* kNames[] = {"mass", "x", "y", "z", "Ixx", "Ixy", "Ixz", "Iyy", "Iyz", "Izz"};
   const Vector10d value = componentsOf(report.payload), std = componentsOf(report.std), right = componentsOf(truth);
   if (!value.allFinite() || !std.allFinite()) ++tally.notFinite;
   const auto& id = report.identifiability;
@@ -238,11 +239,11 @@ void judge(const EstimateReport& report, const Payload& truth, const std::string
     ++tally.beyond4;
     tally.beyond5 += off > 5.0 ? 1 : 0;
     tally.silent += warned ? 0 : 1;
-    ++tally.bad[what];
+    tally.bad.push_back(fmt::format("{}: {} {:.4g} for {:.4g}, {:.1f} sd", what, kNames[k], value(k), right(k), off));
   }
 }
 
-void one(unsigned seed, unsigned index, Tally& tally) {
+void one(unsigned seed, unsigned index, Tally& tally, const char* file = nullptr) {
   Random random(seed * 100003u + index);
   Payload payload = test::randomTool(random).payload;
   const double mass =
@@ -259,7 +260,7 @@ void one(unsigned seed, unsigned index, Tally& tally) {
   if (!simulated) return;
   ++tally.recordings;
   const Nastiness& first = kAll[index % std::size(kAll)];
-  std::string what = first.name;
+  std::string what = fmt::format("{}, {}", index, first.name);
   first.happen(simulated->recording, random);
   if (uniform(random, 0, 1) < 0.35 && simulated->recording.rows() > 500) {
     const Nastiness& second = kAll[random() % std::size(kAll)];
@@ -271,6 +272,7 @@ void one(unsigned seed, unsigned index, Tally& tally) {
     ++tally.refused;
     return;
   }
+  if (file) (void)writeRecording(checked->recording, file);
   auto report = estimate(checked->recording, &RobotModel::panda(), {});
   if (!report) {
     ++tally.refused;
@@ -286,7 +288,10 @@ int main(int argc, char** argv) {
   const int recordings = argc > 1 ? std::atoi(argv[1]) : 200;
   const unsigned seed = argc > 2 ? static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10)) : 1;
   Tally tally;
-  for (int k = 0; k < recordings; ++k) one(seed, static_cast<unsigned>(k), tally);
+  if (argc > 3)
+    one(seed, static_cast<unsigned>(std::strtoul(argv[3], nullptr, 10)), tally, argc > 4 ? argv[4] : nullptr);
+  else
+    for (int k = 0; k < recordings; ++k) one(seed, static_cast<unsigned>(k), tally);
   const double share = 100.0 / std::max(1, tally.claims);
   fmt::print("{} recordings, seed {}: {} refused, {} not finite\n", tally.recordings, seed, tally.refused,
              tally.notFinite);
@@ -294,6 +299,6 @@ int main(int argc, char** argv) {
       "{} numbers called measured: {} beyond 4 sd ({:.2f} %), {} beyond 5 sd ({:.2f} %), {} of those beyond 4 without "
       "a warning\n",
       tally.claims, tally.beyond4, share * tally.beyond4, tally.beyond5, share * tally.beyond5, tally.silent);
-  for (const auto& [what, count] : tally.bad) fmt::print("  {}: {}\n", what, count);
+  for (const std::string& bad : tally.bad) fmt::print("  {}\n", bad);
   return 0;
 }

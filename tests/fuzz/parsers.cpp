@@ -33,7 +33,8 @@ void require(bool sound) {
   if (!sound) std::abort();
 }
 
-/// The bytes as a file, the same one again and again; removed when the program ends.
+/// The bytes as a file of the same name again and again; removed when the program ends. Each is a new file: one that is
+/// cut to nothing and written again is flushed by ext4 when it is closed, which takes milliseconds.
 const std::filesystem::path& asFile(std::string_view bytes, const std::string& ending = "") {
   static struct Folder {
     std::filesystem::path path = std::filesystem::temp_directory_path() / ("heft-fuzz-" + std::to_string(::getpid()));
@@ -45,6 +46,8 @@ const std::filesystem::path& asFile(std::string_view bytes, const std::string& e
     }
   } folder;
   folder.file = folder.path / ("input" + ending);
+  std::error_code none;
+  std::filesystem::remove(folder.file, none);
   std::ofstream(folder.file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   return folder.file;
 }

@@ -2,6 +2,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
+#include <boost/asio/write.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/websocket.hpp>
 #include <deque>
@@ -119,6 +120,17 @@ void FakeBridge::drop() {
   asio::post(impl_->context, [impl = impl_] {
     beast::error_code code;
     if (impl->stream) impl->stream->next_layer().close(code);
+  });
+}
+void FakeBridge::dropInFrame(const std::string& bytes, std::size_t sent) {
+  // RFC 6455: last fragment, binary; a length of 16 bits; no mask from a server.
+  std::string frame{'\x82', '\x7e', static_cast<char>(bytes.size() >> 8), static_cast<char>(bytes.size() & 0xff)};
+  frame = (frame + bytes).substr(0, sent);
+  asio::post(impl_->context, [impl = impl_, frame] {
+    beast::error_code code;
+    if (!impl->stream) return;
+    asio::write(impl->stream->next_layer(), asio::buffer(frame), code);
+    impl->stream->next_layer().close(code);
   });
 }
 int FakeBridge::connections() const { return impl_->connections; }

@@ -58,6 +58,8 @@ class FakeBridge {
   void sendBinary(const std::string& bytes);
   /// Breaks the connection without a word.
   void drop();
+  /// Breaks it after the first `sent` bytes of the frame that would carry `bytes` as a binary message.
+  void dropInFrame(const std::string& bytes, std::size_t sent);
   int connections() const;
   std::vector<std::string> texts() const;  ///< Received so far.
   std::string offered() const;             ///< Subprotocols that the client offered last.

@@ -31,11 +31,8 @@ class LooseMass final : public Oscillator {
     return kInfo;
   }
   std::string sentence(const FoundValues& v) const override {
-    if (const CauseParameter* mass = v.find("mass"); mass && v.value("damping") > 0.5)
-      return mass->std > 0.5 * mass->value
-                 ? heft::say("Something in the tool is loose and rolls to another place as the tool turns.")
-                 : heft::say("About {} g of the tool is loose and rolls to another place as the tool turns.",
-                             v.size("mass"));
+    if (v.find("mass") && v.value("damping") > 0.5)
+      return heft::say("About {} g of the tool is loose and rolls to another place as the tool turns.", v.size("mass"));
     return heft::say("About {} g of the tool is loose and swings {} times a second.", v.size("mass"),
                      numberWords(v.value("frequency"), 1));
   }

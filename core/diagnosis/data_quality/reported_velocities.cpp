@@ -7,11 +7,13 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/data_quality/between_rows.h"
 #include "core/diagnosis/signals/signals.h"
+#include "core/recording/leaps.h"
 
 namespace heft::diagnosis {
 
@@ -36,19 +38,27 @@ struct Match {
 
 class Comparison {
  public:
-  Comparison(MatrixXd q, MatrixXd reported, double rateHz, double recordedHz)
+  /// `leaps`: times since the motion's start at which the positions leap [s]. Nothing around them is compared.
+  Comparison(MatrixXd q, MatrixXd reported, double rateHz, double recordedHz, const std::vector<double>& leaps)
       : q_(std::move(q)),
         slope_(rateOf(q_, rateHz)),
         reported_(std::move(reported)),
         rateHz_(rateHz),
         halfStep_(0.5 / std::max(1.0, recordedHz)) {
-    edge_ = static_cast<Eigen::Index>(kEdge * rateHz_);
-    count_ = q_.cols() - 2 * edge_;
+    const auto edge = static_cast<Eigen::Index>(kEdge * rateHz_);
+    for (Eigen::Index k = edge; k < q_.cols() - edge; ++k)
+      if (std::ranges::none_of(leaps, [t = static_cast<double>(k) / rateHz_](double leap) {
+            return t > leap - kEdge && t < leap + kEdge + 2.0 * kLongest;
+          }))
+        compared_.push_back(k);
   }
+
+  /// Whether there is enough to compare.
+  bool enough() const { return static_cast<double>(compared_.size()) > 2.0 * kEdge * rateHz_ + 50.0; }
 
   Match at(const Reporting& reporting, double lag) const {
     const MatrixXd said = reporting(q_, slope_, lag, rateHz_);
-    const auto x = said.middleCols(edge_, count_), r = reported_.middleCols(edge_, count_);
+    const MatrixXd x = inCompared(said), r = inCompared(reported_);
     Match out;
     out.lag = lag;
     const double energy = x.squaredNorm();
@@ -78,16 +88,14 @@ class Comparison {
   /// take of themselves; noise of either makes it less, not more.
   double lacks(double reach) const {
     const MatrixXd mean = delayed(meanSince(reported_, 2.0 * reach, rateHz_), -reach, rateHz_);
-    const MatrixXd taken = (mean - reported_).middleCols(edge_, count_),
-                   lacking = (reported_ - slope_).middleCols(edge_, count_);
+    const MatrixXd taken = inCompared(mean) - inCompared(reported_),
+                   lacking = inCompared(reported_) - inCompared(slope_);
     return (taken.array() * lacking.array()).sum() / std::max(1e-300, taken.squaredNorm());
   }
 
   /// Root mean square [rad/s, m/s] of what a match leaves, and of the motion's own speed.
-  double leftOver(const Match& match) const { return std::sqrt(match.left / static_cast<double>(count_ * q_.rows())); }
-  double speed() const {
-    return std::sqrt(slope_.middleCols(edge_, count_).squaredNorm() / static_cast<double>(count_ * q_.rows()));
-  }
+  double leftOver(const Match& match) const { return std::sqrt(match.left / numbers()); }
+  double speed() const { return std::sqrt(inCompared(slope_).squaredNorm() / numbers()); }
 
   /// Deviation of the lag [s], from how fast the misfit grows around it.
   double deviation(const Reporting& reporting, const Match& match) const {
@@ -95,15 +103,18 @@ class Comparison {
     const double bend =
         (at(reporting, match.lag + h).left + at(reporting, std::max(1e-4, match.lag - h)).left - 2.0 * match.left) /
         (h * h);
-    const double independent = static_cast<double>(count_ * q_.rows()) / std::max(1.0, kMemory * rateHz_);
+    const double independent = numbers() / std::max(1.0, kMemory * rateHz_);
     // A filter in steps of the recording is no better known than to half a step.
     return std::max(halfStep_, bend > 0.0 ? std::sqrt(2.0 * match.left / independent / bend) : match.lag);
   }
 
  private:
+  MatrixXd inCompared(const MatrixXd& all) const { return all(Eigen::all, compared_); }
+  double numbers() const { return static_cast<double>(compared_.size()) * static_cast<double>(q_.rows()); }
+
   MatrixXd q_, slope_, reported_;
-  double rateHz_, halfStep_;  ///< [Hz], [s]
-  Eigen::Index edge_ = 0, count_ = 0;
+  double rateHz_, halfStep_;            ///< [Hz], [s]
+  std::vector<Eigen::Index> compared_;  ///< Columns
 };
 
 /// Passed on late, through a low-pass, or as the mean since a while ago.
@@ -146,16 +157,18 @@ MatrixXd turnedSinceStart(const Motion& motion) {
 /// Velocities that were reported, of joints or of S, against what they are the slope of; none where there are none.
 std::optional<Comparison> comparisonOf(const Recording& recording, const Motion& motion) {
   const auto rate = motion.rateHz, recorded = recording.rateHz();
+  std::vector<double> leaps;
+  for (const Eigen::Index k : postureLeaps(recording)) leaps.push_back(recording.time(k) - motion.startTime);
   if (motion.q.cols() == motion.size()) {
     if (recording.dq.rows() < 2) return {};
-    return Comparison(motion.q, atInstants(recording, recording.dq, motion), rate, recorded);
+    return Comparison(motion.q, atInstants(recording, recording.dq, motion), rate, recorded, leaps);
   }
   if (recording.twist.rows() < 2) return {};
   const MatrixXd twist = atInstants(recording, recording.twist, motion), turned = turnedSinceStart(motion);
-  if (!motion.originAccelerationKnown) return Comparison(turned, twist.bottomRows(3), rate, recorded);
+  if (!motion.originAccelerationKnown) return Comparison(turned, twist.bottomRows(3), rate, recorded, leaps);
   MatrixXd pose(6, motion.size());
   pose << motion.position, turned;
-  return Comparison(std::move(pose), twist, rate, recorded);
+  return Comparison(std::move(pose), twist, rate, recorded, leaps);
 }
 
 }  // namespace
@@ -169,7 +182,7 @@ std::vector<Direct> reportedVelocities(const Recording& recording, const Motion&
   std::vector<Direct> out;
   if (static_cast<double>(motion.size()) < 4.0 * kEdge * motion.rateHz + 50.0) return out;
   const auto compared = comparisonOf(recording, motion);
-  if (!compared) return out;
+  if (!compared || !compared->enough()) return out;
   const Comparison& comparison = *compared;
   const Match plain = comparison.at(reportings()[0], 0.0);
   Match late;

@@ -9,6 +9,7 @@
 #include "core/base/say.h"
 #include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 #include "core/diagnosis/residual_analysis/structure.h"
 #include "core/diagnosis/search/evidence.h"
 #include "core/diagnosis/search/jump_laws.h"
@@ -131,6 +132,16 @@ std::optional<Structure> dropSlight(const Hypothesis& hypothesis, std::vector<Di
                      fitModel(hypothesis.signals, hypothesis.stretches, std::move(rest)));
 }
 
+/// Takes out a loose part that may have no mass, as far as that is known once other trials of its form are counted:
+/// what makes up for something unknown. Whether there was any.
+bool dropUnknownMasses(std::vector<DiagnosedCause>& causes) {
+  constexpr double kKnown = 2.0;  // Deviations as they are told
+  return std::erase_if(causes, [](const DiagnosedCause& c) {
+           const CauseParameter* mass = c.id == ids::looseMass ? findParameter(c.parameters, "mass") : nullptr;
+           return mass != nullptr && std::abs(mass->value) < kKnown * mass->std;
+         }) > 0;
+}
+
 struct Decision {
   Verdict verdict = Verdict::clean;
   Structure remaining;
@@ -156,7 +167,7 @@ constexpr std::array kImpostors{
              heft::toSay("what a channel itself reads")}};
 
 /// Whether one unknown that the catalogue lacks, whatever it is, explains as well what these causes do; then it.
-/// `ambiguous`: some were dropped since many others explain them as well.
+/// `ambiguous`: some were dropped, since many others explain them as well or they may be nothing.
 std::optional<Structure> oneUnknownInstead(const Hypothesis& hypothesis, const std::vector<DiagnosedCause>& causes,
                                            bool ambiguous) {
   /// Share of what several causes explain together; of right answers 0.72 was the most
@@ -190,7 +201,8 @@ Decision decided(const Hypothesis& hypothesis, const std::vector<DiagnosedCause>
 }  // namespace
 
 void giveVerdict(const Hypothesis& hypothesis, const Structure& remaining, DiagnosisReport& out) {
-  const bool ambiguous = dropFaintTies(out.causes);
+  bool ambiguous = dropFaintTies(out.causes);
+  ambiguous |= dropUnknownMasses(out.causes);
   std::optional<Structure> more;
   if (verdictOf(out.causes, remaining) != Verdict::unexplained) more = dropSlight(hypothesis, out.causes);
   Decision decision = decided(hypothesis, out.causes, more.value_or(remaining), ambiguous);

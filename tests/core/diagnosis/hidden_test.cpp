@@ -537,6 +537,35 @@ TEST(Diagnose, AHardPullIsNoMixedUpFrame) {
   }
 }
 
+/// Readings that are counts, or a zero that was never set: no noise.
+TEST(Diagnose, AHugeZeroIsNoNoise) {
+  const Recording plain = aRecording(MotionKind::free, 32);
+  Recording recording = plain;
+  recording.wrench.rowwise() += 1e6 * (Eigen::Matrix<double, 1, 6>() << 1, -1, 1, 0.02, 0.02, -0.02).finished();
+  const auto report = diagnosed(recording), usual = diagnosed(plain);
+  EXPECT_EQ(report.verdict, Verdict::clean) << said(report);
+  EXPECT_NEAR(report.noise.force, usual.noise.force, 0.01 * usual.noise.force);
+  EXPECT_NEAR(report.noise.torque, usual.noise.torque, 0.01 * usual.noise.torque);
+  EXPECT_NEAR(report.baseline.force, usual.baseline.force, 0.01 * usual.baseline.force);
+}
+
+/// The same postures once more, as where a recording was played twice: nothing rubs.
+TEST(Diagnose, PosturesThatRepeatAreNoFriction) {
+  for (const auto kind : {MotionKind::free, MotionKind::excitation}) {
+    Recording recording = aRecording(kind, 33);
+    const Eigen::Index half = recording.rows() / 2;
+    RandomStream random(33, RandomPurpose::effect);
+    for (Eigen::Index k = half; k < 2 * half; ++k) {
+      recording.q.row(k) = recording.q.row(k - half).eval();
+      recording.dq.row(k) = recording.dq.row(k - half).eval();
+      recording.wrench.row(k) = recording.wrench.row(k - half).eval();
+      for (Eigen::Index c = 0; c < 6; ++c) recording.wrench(k, c) += (c < 3 ? 0.05 : 0.002) * random.normal();
+    }
+    const auto report = diagnosed(recording);
+    EXPECT_TRUE(report.causes.empty()) << toString(kind) << ": " << said(report);
+  }
+}
+
 TEST(Diagnose, StopsWhenAsked) {
   std::stop_source stop;
   Progress progress{stop.get_token(), [&](double, std::string_view) { stop.request_stop(); }};

@@ -88,6 +88,34 @@ TEST(Foxglove, SubscribesReadsAndComesBack) {
   source->stop();
 }
 
+TEST(Foxglove, AFrameThatIsCutIsNoMessageAndTheConnectionComesBack) {
+  FakeBridge bridge("foxglove.sdk.v1",
+                    [](FakeBridge& self) {
+                      self.sendText(R"({"op":"serverInfo","name":"x","capabilities":[]})");
+                      self.sendText(kAdvertise);
+                    },
+                    {});
+  Collected collected;
+  const auto source = makeFoxgloveSource("127.0.0.1", bridge.port());
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  std::size_t subscribed = 0;
+  int second = 5;
+  // Within the header, at its end, within the message, one byte before its end.
+  const std::size_t whole = 4 + dataMessage(1, cdrWrench(5, 0, 0.0)).size();
+  for (const std::size_t sent : {std::size_t{1}, std::size_t{3}, std::size_t{4}, std::size_t{40}, whole - 1}) {
+    ASSERT_TRUE(eventually([&] { return bridge.texts().size() == subscribed + 1; })) << sent;
+    ++subscribed;
+    const auto before = collected.samples().size();
+    for (int k = 0; k < 15; ++k) bridge.sendBinary(dataMessage(1, cdrWrench(second, 1000000 * (k + 1), 10.0)));
+    ASSERT_TRUE(collected.reach(before + 5)) << sent;
+    bridge.dropInFrame(dataMessage(1, cdrWrench(second, 500000000, -1e3)), sent);
+    second += 10;
+  }
+  ASSERT_TRUE(eventually([&] { return source->status().disconnects == 5; }));
+  source->stop();
+  for (const auto& sample : collected.samples()) EXPECT_EQ((*sample.wrench)(0), 10.0);
+}
+
 const std::vector<std::string> kUr = {"shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint",
                                       "wrist_1_joint",      "wrist_2_joint",       "wrist_3_joint"};
 

@@ -100,6 +100,19 @@ TEST(CentralDifference, IsExactToATenthOfTheRate) {
   }
 }
 
+TEST(CentralDifference, ReachesFurtherForSlowerRates) {
+  // A tremor of 10 Hz that was sampled at 30 Hz.
+  constexpr int kReach = 16;
+  const double rate = 30.0, w = 2 * kPi * 10.0;
+  const Channels signal = sine(10.0, rate, 100);
+  for (Eigen::Index k = kReach; k < 100 - kReach; ++k) {
+    const double t = static_cast<double>(k) / rate;
+    const auto about = [&](int reach) { return signal.col(0).segment(k - reach, 2 * reach + 1); };
+    EXPECT_NEAR(centralDifferenceKernel(1, rate, kReach).dot(about(kReach)), w * std::cos(w * t), 0.03 * w);
+    EXPECT_NEAR(centralDifferenceKernel(2, rate, kReach).dot(about(kReach)), -w * w * std::sin(w * t), 0.03 * w * w);
+  }
+}
+
 TEST(AveragingKernel, IsCentredAndSumsToOne) {
   for (const int stride : {1, 2, 3, 4, 5, 20}) {
     const VectorXd kernel = averagingKernel(stride);

@@ -208,5 +208,13 @@ TEST(Motion, SaysWhatIsMissing) {
   EXPECT_FALSE(motionOf(jointRecording(1000.0, 0.005, false), &RobotModel::panda(), {}).ok());
 }
 
+TEST(Motion, SaysWhereAClockLeaptByAnHour) {
+  Recording recording = jointRecording(1000.0, 1.0, false);
+  recording.time.tail(recording.rows() - 400).array() += 3600.0;
+  const auto motion = motionOf(recording, &RobotModel::panda(), {});
+  ASSERT_FALSE(motion.ok());
+  EXPECT_THAT(motion.error().message, testing::HasSubstr("between row 400 at 0.399 s and the next at 3600.400 s"));
+}
+
 }  // namespace
 }  // namespace heft

@@ -130,14 +130,18 @@ TEST(SegmentEvents, AFirstEstimateSaysWhichPayloadIsMeant) {
 TEST(SegmentEvents, RestIsStandingStill) {
   LabelledEvents data = simulatedEvents(MotionKind::free, 25);
   Recording& r = data.recording;
-  // The arm is held for 2 s: rows repeat their posture and the wrench only their noise. A posture without any noise,
-  // from which it leaps, would be a robot that sent nothing new.
-  for (Eigen::Index i = 0; i < r.rows(); ++i)
-    if (r.time(i) > 9.0 && r.time(i) < 11.0) {
-      const auto held = static_cast<Eigen::Index>(9.0 * 500.0);
-      r.q.row(i) = r.q.row(held).array() + (i % 2 == 0 ? 1e-6 : -1e-6);
-      r.dq.row(i).setZero();
-    }
+  // The arm is held for 2 s and goes on from there: rows repeat their posture and the wrench only their noise. A
+  // posture without any noise, from which it leaps, would be a robot that sent nothing new.
+  const auto held = static_cast<Eigen::Index>(9.0 * 500.0), later = held + 1000;
+  const Eigen::Index after = r.rows() - later;
+  r.q.bottomRows(after) = r.q.middleRows(held, after).eval();
+  r.dq.bottomRows(after) = r.dq.middleRows(held, after).eval();
+  r.wrench.bottomRows(after) = r.wrench.middleRows(held, after).eval();
+  for (Eigen::Index i = held; i < later; ++i) {
+    r.q.row(i) = r.q.row(held).array() + (i % 2 == 0 ? 1e-6 : -1e-6);
+    r.dq.row(i).setZero();
+    r.wrench.row(i) = r.wrench.row(held - 1 - (i - held) % 5);
+  }
   const WrenchRows rows = data.rows();
   const auto found = segmentRows(r, rows, SegmentMode::automatic);
   double standing = 0.0;

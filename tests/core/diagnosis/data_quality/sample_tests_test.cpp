@@ -135,6 +135,24 @@ TEST(SampleTests, TheLagOfReportedVelocitiesIsWithinItsDeviations) {
     }
 }
 
+TEST(SampleTests, AJumpOfThePostureSaysNothingOfReportedVelocities) {
+  for (const auto kind : {MotionKind::free, MotionKind::excitation}) {
+    // The motion begins once more, as where two files were joined; the sensor reads with noise of its own.
+    Recording recording = aRecording(kind, 31);
+    const Eigen::Index half = recording.rows() / 2;
+    recording.q.bottomRows(half) = recording.q.topRows(half).eval();
+    recording.dq.bottomRows(half) = recording.dq.topRows(half).eval();
+    recording.wrench.bottomRows(half) = recording.wrench.topRows(half).eval();
+    RandomStream random(7, RandomPurpose::white);
+    for (Eigen::Index k = half; k < recording.rows(); ++k)
+      for (Eigen::Index c = 0; c < 6; ++c) recording.wrench(k, c) += (c < 3 ? 0.05 : 0.002) * random.normal();
+    EXPECT_TRUE(directCauses(recording).empty()) << toString(kind);
+    // What is wrong with them is found all the same.
+    recording.dq *= 0.8;
+    EXPECT_EQ(directCauses(recording), std::vector<std::string>{"derivative_noise"}) << toString(kind);
+  }
+}
+
 /// A driver hands out its last buffer once more: the readings are those of a quarter of a second before, to the last
 /// digit.
 TEST(SampleTests, ReadingsHandedOutTwiceAreNoTouch) {

@@ -110,6 +110,24 @@ TEST(Verdict, APartThatMayHaveNoMassIsSomethingElse) {
   EXPECT_EQ(verdictOn("loose_mass", 0, {{0, 0.05}}, 0.03), Verdict::unexplained);
 }
 
+/// What other trials of the same form find counts, too: 49 +- 45 g may be nothing.
+TEST(Verdict, APartWhoseToldMassMayBeNothingIsNotNamed) {
+  for (const auto& [deviation, named] : {std::pair{45.0, 0u}, {26.0, 0u}, {22.0, 1u}}) {
+    Hypothesis hypothesis = aJumpAndALoad();
+    Fit& final = hypothesis.search.final;
+    const Form form = findCause("loose_mass")->forms(hypothesis.signals).front();
+    final.model.terms = {{std::make_shared<const Form>(form), form.start, {}}};
+    final.model.terms.front().v(0) = 0.049;
+    final.covariance = MatrixXd::Identity(final.model.size(), final.model.size()) * 1e-6;
+    DiagnosisReport report;
+    report.causes = {fitted("loose_mass")};
+    report.causes.front().parameters = {{"mass", "g", 49.0, deviation}, {"damping", "", 0.05, 0.01}};
+    giveVerdict(hypothesis, report.remaining, report);
+    EXPECT_EQ(report.causes.size(), named) << deviation;
+    EXPECT_EQ(report.verdict, named > 0 ? Verdict::explained : Verdict::unexplained) << deviation;
+  }
+}
+
 TEST(Verdict, AFaintTouchBesideACauseMayBeItsRest) {
   const Hypothesis hypothesis = aJumpAndALoad();
   for (const auto& [evidence, verdict] : {std::pair{900.0, Verdict::unexplained},

@@ -1,4 +1,4 @@
-#include "core/live/clock.h"
+#include "core/recording/clock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,11 +24,14 @@ double SequenceClock::timeOf(std::int64_t sequence, double arrival) {
     seen_ = 0;
     return time_;
   }
-  // Fast at first, slow later: the gain falls to a hundredth.
-  const double gain = std::max(0.01, 1.0 / static_cast<double>(++seen_ + 1));
+  // At first the line through all arrivals, as the expanding memory filter of first degree has it (Morrison 1969);
+  // later one that follows slowly: the gain falls to a hundredth.
+  const double n = static_cast<double>(++seen_), all = (n + 1.0) * (n + 2.0);
+  const double gain = std::max(0.01, 2.0 * (2.0 * n + 1.0) / all);
+  const double slope = std::max(0.25 * 0.01 * 0.01, 6.0 / all);
   const double before = time_;
   time_ = predicted + gain * error;
-  period_ = std::max(period_ + 0.25 * gain * gain * error / steps, 1e-5);
+  period_ = std::max(period_ + slope * error / steps, 1e-5);
   time_ = std::max(time_, before + 1e-6);
   return time_;
 }
