@@ -234,11 +234,12 @@ class Joiner {
     }
     if (unrelated_) {
       if (!offset.sure)
-        return errorAt({joining_.file, 0, 0},
-                       heft::say("the clocks of {} and {} have nothing in common, and the data do not tell how much "
-                                 "one is later than the other.",
-                                 joining_.nameOf(motion().stream), joining_.nameOf(wrench_.stream)),
-                       how);
+        return errorAt(
+            {joining_.file, 0, 0},
+            heft::say(
+                "the clocks of {} and {} have nothing in common, and the data do not show the offset between them.",
+                joining_.nameOf(motion().stream), joining_.nameOf(wrench_.stream)),
+            how);
       wrench_.time.array() += offset.seconds;
       wrenchShift_ = offset.seconds;
       recording_.meta.clockAlignmentStd = offset.std;
@@ -249,8 +250,7 @@ class Joiner {
           Severity::warning, "clock_offset",
           heft::say("{} and {} are on different clocks: the wrench was shifted by {}.",
                     joining_.nameOf(motion().stream), joining_.nameOf(wrench_.stream), figures),
-          heft::say(
-              "Found by letting the force follow the motion; a delay of the sensor itself is thereby taken out, too.") +
+          heft::say("Found by matching the force to the motion; this also removes any delay of the sensor itself.") +
               " " + joining_.howToShift(wrench_.stream, stated));
     } else if (offset.sure) {
       joining_.note(
@@ -321,7 +321,7 @@ class Joiner {
     }
     if (inGaps > 0)
       joining_.note(Severity::warning, "stream_gaps",
-                    heft::say("At {} of {} times one of the streams has a gap; they were left out.", inGaps,
+                    heft::say("At {} of {} times one of the streams has a gap; these were left out.", inGaps,
                               inGaps + times.size()));
     if (moving.step > 0.0201 && moving.step > 2.0 * wrench_.step)
       joining_.note(
@@ -372,7 +372,7 @@ class Joiner {
       recording_.quaternion.row(k) = turned.coeffs().transpose();
     }
     joining_.note(Severity::info, "pose_of_flange",
-                  heft::say("The poses are the flange's; the sensor's follow by its mount."));
+                  heft::say("The poses are those of the flange; the sensor's poses are derived from its mount."));
   }
 
   Joining joining_;

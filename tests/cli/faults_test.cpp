@@ -74,7 +74,7 @@ TEST_F(FaultsTest, SimulateKeepsAMetaFileThatAPersonChanged) {
     if (!withCsv) std::filesystem::remove(path("rec.csv"));
     const std::string csv = withCsv ? read("rec.csv") : "";
     EXPECT_TRUE(failedWithOneSentence(heft({"simulate", "--motion", "free", "--duration", "2", "-o", "rec.csv"}),
-                                      "rec.meta.json exists already and was left as it is"));
+                                      "rec.meta.json already exists and was not overwritten"));
     EXPECT_EQ(read("rec.meta.json"), meta.dump(1));
     EXPECT_EQ(withCsv ? read("rec.csv") : "", csv);
     EXPECT_EQ(heft({"simulate", "--motion", "free", "--duration", "2", "-o", "rec.csv", "--force"}).exitCode, 0);

@@ -61,9 +61,9 @@ TEST_F(PassportCommandTest, CausesThatWereTakenOutAreSaidToBe) {
                 .exitCode,
             0);
   ASSERT_FALSE(readJson("found.json")["causes"].empty());
-  EXPECT_THAT(passport({"--causes", "found.json"}).out, HasSubstr("It is taken out of the numbers."));
+  EXPECT_THAT(passport({"--causes", "found.json"}).out, HasSubstr("The numbers are corrected for it."));
   ASSERT_EQ(heft({"estimate", "monday.csv", "--json", "monday.json"}).exitCode, 0);
-  EXPECT_THAT(passport({"--causes", "found.json"}).out, HasSubstr("It is not taken out of the numbers."));
+  EXPECT_THAT(passport({"--causes", "found.json"}).out, HasSubstr("The numbers are not corrected for it."));
 }
 
 TEST_F(PassportCommandTest, ToldFromBadInput) {

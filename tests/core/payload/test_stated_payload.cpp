@@ -59,7 +59,7 @@ TEST(StatedPayload, NonsenseIsAnsweredWithASentence) {
   EXPECT_THAT(message(cad), HasSubstr("needs mass_kg"));
   cad = box();
   cad["inertia_com_kgm2"][0][0] = 0.03;
-  EXPECT_THAT(message(cad), HasSubstr("no real body"));
+  EXPECT_THAT(message(cad), HasSubstr("physically impossible"));
   cad = box();
   cad["weights"] = {{"mass", -1}};
   EXPECT_THAT(message(cad), HasSubstr("weights"));

@@ -467,7 +467,7 @@ TEST(NoContact, ForcesThatTurnNothingAreUnknown) {
       if (recording.time(i) > at && recording.time(i) < at + 0.6) recording.wrench.row(i).head<3>() *= 1.05;
   const auto report = diagnosed(recording);
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
-  EXPECT_EQ(report.remaining.goesWith, "the load's size, on the forces alone") << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "the size of the load, on the forces alone") << said(report);
   EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
 }
 
