@@ -15,9 +15,16 @@
     <name>Joining</name>
     <message numerus="yes">
         <source>These numbers rest on %n recordings together: %1.</source>
-        <translation>
+        <translation type="vanished">
             <numerusform>These numbers rest on %n recording: %1.</numerusform>
             <numerusform>These numbers rest on %n recordings together: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Joint result from %n recordings: %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -76,7 +83,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Only free parts are used. Please check %n segment(es).</source>
+        <source>Only free segments are used. Please review %n suggestion(s).</source>
         <translation type="unfinished">
             <numerusform></numerusform>
             <numerusform></numerusform>
@@ -87,7 +94,7 @@
     <name>RealityPage</name>
     <message numerus="yes">
         <source>%n cause(s) found, something is left</source>
-        <translation>
+        <translation type="vanished">
             <numerusform>One cause found, something is left</numerusform>
             <numerusform>%n causes found, something is left</numerusform>
         </translation>
@@ -129,9 +136,23 @@
     </message>
     <message numerus="yes">
         <source>Also considered: %n cause(s)</source>
-        <translation>
+        <translation type="vanished">
             <numerusform>Also considered: %n cause</numerusform>
             <numerusform>Also considered: %n causes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cause(s) found, part unexplained</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Also tested: %n cause(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -179,7 +200,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n segment(es) look touched. You can check them in Mark.</source>
+        <source>%n possible contact(s). You can review them in Mark.</source>
         <translation type="unfinished">
             <numerusform></numerusform>
             <numerusform></numerusform>
@@ -221,9 +242,16 @@
     </message>
     <message numerus="yes">
         <source>%n finding(s) that Heft allows for</source>
-        <translation>
+        <translation type="vanished">
             <numerusform>%n finding that Heft allows for</numerusform>
             <numerusform>%n findings that Heft allows for</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) already compensated</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -245,9 +273,16 @@
     </message>
     <message numerus="yes">
         <source>Throw %n pose(s) away?</source>
-        <translation>
+        <translation type="vanished">
             <numerusform>Throw %n pose away?</numerusform>
             <numerusform>Throw %n poses away?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Discard %n pose(s)?</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -255,9 +290,16 @@
     <name>heft::RoomRow</name>
     <message numerus="yes">
         <source>%1: %n obstacle(s), and nothing comes nearer than %2 mm.</source>
-        <translation>
+        <translation type="vanished">
             <numerusform>%1: %n obstacle, and nothing comes nearer than %2 mm.</numerusform>
             <numerusform>%1: %n obstacles, and nothing comes nearer than %2 mm.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n obstacle(s); everything stays at least %2 mm away.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>

@@ -18,6 +18,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScrollArea>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextBlock>
@@ -208,6 +209,37 @@ TEST_F(DialogsTest, PicturesOfTheManualStandInLinesOfTheirOwn) {
     EXPECT_GE(pictures, 8);
     keep(&studio->window(), QStringLiteral("manual_%1").arg(QLatin1String(language)));
     studio->window().showManual(false);
+  }
+}
+
+/// A panel scrolls down, never to the right: what is wider than it is cut.
+TEST_F(DialogsTest, NoStepIsWiderThanItsPanelInASmallWindow) {
+  const QString recording = simulated();
+  for (const char* language : {"en", "de"}) {
+    ASSERT_TRUE(studio->setLanguage(language));
+    settle();
+    studio->workspace().open(recording);
+    settle();
+    MainWindow& window = studio->window();
+    window.resize(1024, 700);
+    ASSERT_TRUE(window.panel(Step::shape)->obey({"shape", "gripper"})->ok());
+    ASSERT_TRUE(
+        window.panel(Step::exportFile)->obey({"export", "franka-desk", folder.filePath("tool.json"), "replace"})->ok());
+    for (const bool details : {false, true}) {
+      window.showDetails(details);
+      for (const Step step : kAllSteps) {
+        SCOPED_TRACE(std::string(stepId(step)) + " " + language);
+        window.showStep(step);
+        settle();
+        int pages = 0;
+        for (const auto* area : window.panel(step)->findChildren<QScrollArea*>("panelScroll")) {
+          if (!area->isVisible()) continue;
+          ++pages;
+          EXPECT_LE(area->widget()->width(), area->viewport()->width());
+        }
+        EXPECT_GE(pages, 1);
+      }
+    }
   }
 }
 

@@ -113,7 +113,7 @@ TEST_F(RealityPanelTest, OtherConventionsComeFirstAndAreReadWithOneClick) {
     if (frame->property("role") == "reading" && frame->property("cause").isValid()) card = frame;
   ASSERT_NE(card, nullptr) << texts().join("|").toStdString();
   EXPECT_TRUE(texts().join("|").contains("given in the robot’s base axes")) << texts().join("\n").toStdString();
-  EXPECT_TRUE(texts().join("|").contains("At the driver:"));
+  EXPECT_TRUE(texts().join("|").contains("Check in the driver:"));
   const auto* chart = card->findChild<ChartWidget*>();
   ASSERT_NE(chart, nullptr);
   ASSERT_EQ(chart->chart().curves.size(), 2u);
@@ -206,7 +206,7 @@ TEST_F(RealityPanelTest, ACleanRecordingIsSaidToFitAndTheNextStepIsExport) {
   EXPECT_EQ(panel->state().progress, StepState::Progress::done);
   const auto mains = panel->findChildren<QPushButton*>("mainButton");
   ASSERT_EQ(mains.size(), 1);
-  EXPECT_EQ(mains[0]->text(), "Go on to Export");
+  EXPECT_EQ(mains[0]->text(), "Continue to Export");
   const auto refused = panel->obey({"apply", "cable_pull"});
   ASSERT_TRUE(refused.has_value());
   EXPECT_FALSE(refused->ok());
@@ -239,7 +239,7 @@ TEST_F(RealityPanelTest, OfReadingsThatFitAlikeAPersonStatesOne) {
   EXPECT_TRUE(all.contains("Heft does not guess")) << all.toStdString();
   const QPushButton* stateIt = buttonOf("mainButton", "frame_error");
   ASSERT_NE(stateIt, nullptr);
-  EXPECT_EQ(stateIt->text(), "State it under Robot and sensor …");
+  EXPECT_EQ(stateIt->text(), "Set it in Robot and sensor …");
   EXPECT_EQ(buttonOf("acceptButton", "frame_error"), nullptr);
   EXPECT_FALSE(all.contains("your result changes"));
 }
@@ -282,7 +282,7 @@ TEST_F(RealityPanelTest, APracticeRecordingHidesItsFaultUntilAGuess) {
   EXPECT_FALSE(panel->findChild<QPushButton*>("guess_cable_pull")->isEnabled());
   QTest::mouseClick(panel->findChild<QPushButton*>("giveUp"), Qt::LeftButton);
   settle();
-  EXPECT_TRUE(texts().contains("Not this one"));
+  EXPECT_TRUE(texts().contains("Not quite"));
   EXPECT_TRUE(texts().contains("Found at once: 0 of 1. With a hint or at the second try: 0."));
   EXPECT_TRUE(texts().join("|").contains("Hidden was: Force readings late (delay)"));
   // Opened once more it is a riddle again.

@@ -64,7 +64,7 @@ TEST(DescribeResult, SaysWhatIsNotKnown) {
   EXPECT_EQ(text.findings[0].severity, Severity::warning);
   EXPECT_FALSE(text.doubtful);
   report.identifiability.mass = Source::none;
-  EXPECT_EQ(describeResult(report, {}).question, "This motion does not tell the mass.");
+  EXPECT_EQ(describeResult(report, {}).question, "This motion does not determine the mass.");
 }
 
 TEST(DescribeResult, AHopelessIntervalIsADash) {
@@ -123,7 +123,7 @@ TEST(DescribeResult, SaysTheDifferenceByChannel) {
   const Recording recording = test::sineRecording(1000, 100);
   const ResultText text = describeResult(test::reportOn(recording), {});
   const auto row = std::find_if(text.details.begin(), text.details.end(),
-                                [](const auto& d) { return d.name == "By channel, force"; });
+                                [](const auto& d) { return d.name == "Force by channel"; });
   ASSERT_NE(row, text.details.end());
   // The made-up simulation misses x by 0.25 N and nothing else.
   EXPECT_TRUE(row->value.startsWith("0.250  0.000  0.000 N")) << row->value.toStdString();

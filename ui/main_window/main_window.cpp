@@ -150,7 +150,7 @@ void MainWindow::addPanels(const StudioMenus& menus) {
   parts.playback = &playback_;
   parts.view = view_;
   parts.plots = pane_;
-  // "Go on" leads past a step that this build has no panel for.
+  // "Continue" leads past a step that this build has no panel for.
   parts.goTo = [this](Step step) {
     while (!panels_.contains(step) && step < Step::exportFile) step = static_cast<Step>(static_cast<int>(step) + 1);
     showStep(step);
@@ -388,19 +388,19 @@ void MainWindow::useAutosave(Autosave* autosave) {
   connect(autosave_, &Autosave::saved, this, &MainWindow::showSaved);
   connect(autosave_, &Autosave::failed, this, [this](const QString& why) {
     message_->showMessage(Severity::warning,
-                          tr("The session is not saved automatically at the moment: %1 Save it elsewhere.").arg(why),
+                          tr("The session cannot be saved automatically: %1 Save it elsewhere.").arg(why),
                           tr("Save as …"), [this] { files_->saveAs(); });
   });
   showSaved();
   if (autosave_->leftBehind().isEmpty()) return offerUnfinished();
-  message_->showMessage(Severity::warning, tr("Your last session was not closed by hand. What you had open was kept."),
-                        tr("Open it again"), [this] {
+  message_->showMessage(Severity::warning, tr("Heft Studio was not closed normally last time. Your session was saved."),
+                        tr("Restore"), [this] {
                           const auto recovered = autosave_->recover();
                           if (!recovered.unreadable.isEmpty()) {
                             const auto& [file, reason] = recovered.unreadable.first();
                             message_->showMessage(
                                 recovered.opened ? Severity::warning : Severity::error,
-                                tr("What was kept could not be read; it is now %1. %2").arg(file, reason));
+                                tr("The saved session could not be restored; it is now %1. %2").arg(file, reason));
                           } else if (recovered.opened) {
                             offerUnfinished();
                           }
@@ -411,7 +411,7 @@ void MainWindow::offerUnfinished() {
   const QStringList recordings = unfinishedRecordings(recordedFolder()) + unfinishedRecordings(earlierRecordedFolder());
   if (recordings.isEmpty()) return;
   message_->showMessage(Severity::warning,
-                        tr("The program ended in the middle of a recording. What came until then was kept."),
+                        tr("Heft Studio closed during a recording. The data up to that point was saved."),
                         tr("Open the recording"), [this, recordings] {
                           for (const QString& recording : recordings) forgetUnfinished(recording);
                           workspace_->open(recordings);

@@ -107,8 +107,8 @@ void DifferencePane::buildHeader() {
   choices->setSpacing(0);
   auto* group = new QButtonGroup(this);
   const QString names[] = {tr("Time"), tr("Spectrum"), tr("Correlation")};
-  const QString tips[] = {tr("Measured and simulated over time"), tr("What is left over, by frequency"),
-                          tr("What is left over, against what the robot did")};
+  const QString tips[] = {tr("Measured and simulated over time"), tr("Residual by frequency"),
+                          tr("Residual against the robot’s motion")};
   const char* ids[] = {"lookTime", "lookFrequency", "lookMotion"};
   for (int i = 0; i < 3; ++i) {
     views_[i] = new QPushButton(names[i], segmented);
@@ -145,7 +145,7 @@ void DifferencePane::buildHeader() {
   };
   whole_ = addIcon("whole", tr("Show the whole recording"), "differenceAll");
   connect(whole_, &QToolButton::clicked, this, [this] { axis_->showAll(); });
-  alone_ = addIcon("fit", tr("Plots alone, or with the rest again"), "aloneButton");  // The window listens to it.
+  alone_ = addIcon("fit", tr("Maximise the plots, or restore them (F11)"), "aloneButton");  // The window listens to it.
   IconButton* more = addIcon("more", tr("Picture of this"), "differencePictures");
   more->setPopupMode(QToolButton::InstantPopup);
   auto* pictures = new QMenu(more);
@@ -297,13 +297,13 @@ Chart DifferencePane::frequencyChart(bool torque) const {
   const auto spectrum = diagnosis::spectrumOf(report_->series, torque);
   Chart chart;
   const ShownUnit unit = wrenchUnit(torque);
-  chart.yTitle = (torque ? tr("Torque left over [%1/√Hz]") : tr("Force left over [%1/√Hz]")).arg(unit.name);
+  chart.yTitle = (torque ? tr("Residual torque [%1/√Hz]") : tr("Residual force [%1/√Hz]")).arg(unit.name);
   chart.xTitle = tr("Frequency [Hz]");
   chart.logX = chart.logY = true;
   addNoise(chart, *report_, spectrum, torque);
   chart.band *= unit.scale;
   for (QPointF& point : chart.floor) point.ry() *= unit.scale;
-  chart.nothing = tr("No segment is long enough to tell frequencies.");
+  chart.nothing = tr("No segment is long enough for a spectrum.");
   for (const bool after : {false, true}) {
     if (after && secret_) continue;
     QVector<QPointF> points;
@@ -402,7 +402,7 @@ void DifferencePane::refresh() {
   if (!secret_) legend += line.arg(t.accent.name(), QStringLiteral("━━ ") + tr("with the cause corrected"));
   const QString words[] = {
       legend + tr("· grey: the sensor’s noise, ±2 σ"),
-      isNoiseOnly(report_.get()) ? tr("Grey: what the verdict takes for the sensor’s noise, slow noise included.")
+      isNoiseOnly(report_.get()) ? tr("Grey: sensor noise as used by the verdict, including slow noise.")
                                  : tr("Grey: the level of the sensor’s fast noise. Low-frequency noise can be several "
                                       "times higher; peaks far above the band are not noise."),
       tr("A sloped or curved cloud means that the difference depends on this quantity. Both pictures have one scale; "

@@ -16,7 +16,7 @@ namespace heft {
 
 Result<bool> RealityPanel::writeMeta(const QString& file, bool replace) {
   const auto opened = workspace().opened();
-  if (!opened || !found()) return refusal(tr("There is no reality check yet that could correct a setup file."));
+  if (!opened || !found()) return refusal(tr("There is no reality check yet to correct a setup file from."));
   const nlohmann::json changes = found()->report->metaChanges();
   if (changes.empty()) return refusal(tr("The reality check proposes no change of the setup file."));
   if (!replace && QFileInfo::exists(file)) return refusal(tr("%1 already exists and was not overwritten.").arg(file));
@@ -56,7 +56,7 @@ void RealityPanel::saveReport() {
   if (!opened) return parts().say(Severity::info, tr("Open a recording first."));
   const QFileInfo info(opened->path);
   QString chosen;
-  QString file = QFileDialog::getSaveFileName(this, tr("Save a report of the session"),
+  QString file = QFileDialog::getSaveFileName(this, tr("Save report"),
                                               info.absolutePath() + "/" + info.completeBaseName() + "-report.pdf",
                                               tr("PDF (*.pdf);;Web page (*.html)"), &chosen);
   if (file.isEmpty()) return;

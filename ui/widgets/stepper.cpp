@@ -101,6 +101,8 @@ void Stepper::setValue(double value) {
   showValue();
 }
 
+void Stepper::hideUnit() { unitLabel_->hide(); }
+
 void Stepper::showValue() {
   field_->setText(shortNumber(value_, range_.decimals));
   field_->setModified(false);
@@ -128,7 +130,7 @@ void Stepper::take() {
         tr("between %1 and %2 %3")
             .arg(shortNumber(range_.least, range_.decimals), shortNumber(range_.most, range_.decimals), unit_);
     return setProblem(typed ? tr("%1 must be %2.").arg(name_, range)
-                            : tr("“%1” is no number: %2 must be %3.").arg(field_->text(), name_, range));
+                            : tr("“%1” is not a number: %2 must be %3.").arg(field_->text(), name_, range));
   }
   emit begun();
   mark("wrong", false);

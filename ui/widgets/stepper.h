@@ -25,6 +25,8 @@ class Stepper : public QFrame {
   double value() const { return value_; }
   /// Marks the value as one that does not fit; `sentence` empty takes that back. Emits refused().
   void setProblem(const QString& sentence);
+  /// Where the unit stands beside the field already, and room is scarce.
+  void hideUnit();
   /// Drawn as being dragged or pointed at elsewhere.
   void setStrong(bool strong);
 
