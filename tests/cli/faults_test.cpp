@@ -124,7 +124,7 @@ TEST_F(FaultsTest, WhenTheRecordingsDiskIsFullTheEstimateGoesOn) {
                {.fileSize = 200'000});
   const Outcome run = live.wait();
   EXPECT_EQ(run.exitCode, 1);
-  EXPECT_THAT(run.err, HasSubstr("full.csv cannot be written any further"));
+  EXPECT_THAT(run.err, HasSubstr("full.csv can no longer be written"));
   EXPECT_THAT(run.err, HasSubstr("The estimate goes on."));
   const auto result = nlohmann::json::parse(run.out);
   EXPECT_GT(result["recording"]["samples"].get<int>(), 2500) << "samples that came after the disk was full, too";
@@ -156,7 +156,7 @@ TEST_F(FaultsTest, AVanishedFolderStillPrintsTheResult) {
   std::filesystem::remove_all(path("gone"));
   const Outcome run = live.wait();
   EXPECT_EQ(run.exitCode, 1);
-  EXPECT_THAT(run.err, HasSubstr("rec.csv was deleted while it was written. The estimate goes on."));
+  EXPECT_THAT(run.err, HasSubstr("rec.csv was deleted while it was being written. The estimate goes on."));
   EXPECT_THAT(run.out, HasSubstr("Mass"));
 }
 

@@ -40,7 +40,7 @@ TEST_F(PassportCommandTest, HoldsNumbersProofAndCausesOnOnePage) {
   EXPECT_TRUE(made["looked_for_causes"].get<bool>());
   EXPECT_FALSE(made["not_seen"].empty());
   const std::string page = read("first.html");
-  for (const char* text : {"Gripper 3", "PASS", "Could not have been seen: ", "None was found.", "kg cm²"})
+  for (const char* text : {"Gripper 3", "PASS", "Not detectable in this recording: ", "None was found.", "kg cm²"})
     EXPECT_THAT(page, HasSubstr(text));
 
   // The next one says what changed.

@@ -125,7 +125,7 @@ TEST_F(RealityPanelTest, OtherConventionsComeFirstAndAreReadWithOneClick) {
   EXPECT_LT(10.0 * sizeOf(chart->chart().curves[1]), sizeOf(chart->chart().curves[0]));
   QPushButton* readSo = buttonOf("mainButton", "frame_error");
   ASSERT_NE(readSo, nullptr);
-  EXPECT_EQ(readSo->text(), "Read it so");
+  EXPECT_EQ(readSo->text(), "Use these conventions");
   QTest::mouseClick(readSo, Qt::LeftButton);
   settle();
   EXPECT_EQ(workspace.report()->trust, Trust::good);
@@ -163,7 +163,7 @@ TEST_F(RealityPanelTest, ACauseIsNamedAppliedUndoneAndSaved) {
   settle();
   ASSERT_TRUE(panel->report());
   ASSERT_EQ(panel->report()->verdict, Verdict::explained) << panel->report()->sentence;
-  EXPECT_TRUE(texts().join("|").contains("pulls the tool towards one spot")) << texts().join("|").toStdString();
+  EXPECT_TRUE(texts().join("|").contains("pulls the tool towards one point")) << texts().join("|").toStdString();
   EXPECT_EQ(panel->state().light, Light::look);
   const double plain = workspace.report()->payload.mass;
   QPushButton* apply = buttonOf("mainButton", "cable_pull");
@@ -283,8 +283,8 @@ TEST_F(RealityPanelTest, APracticeRecordingHidesItsFaultUntilAGuess) {
   QTest::mouseClick(panel->findChild<QPushButton*>("giveUp"), Qt::LeftButton);
   settle();
   EXPECT_TRUE(texts().contains("Not quite"));
-  EXPECT_TRUE(texts().contains("Found at once: 0 of 1. With a hint or at the second try: 0."));
-  EXPECT_TRUE(texts().join("|").contains("Hidden was: Force readings late (delay)"));
+  EXPECT_TRUE(texts().contains("Solved at the first try: 0 of 1. With a hint or at the second try: 0."));
+  EXPECT_TRUE(texts().join("|").contains("The hidden fault was: Force readings late (delay)"));
   // Opened once more it is a riddle again.
   ASSERT_TRUE(panel->obey({"practice", QString::number(seed)})->ok());
   settle();
@@ -293,7 +293,7 @@ TEST_F(RealityPanelTest, APracticeRecordingHidesItsFaultUntilAGuess) {
   QTest::mouseClick(panel->findChild<QPushButton*>("guess_time_offset"), Qt::LeftButton);
   settle();
   EXPECT_TRUE(texts().contains("Right"));
-  EXPECT_TRUE(texts().contains("Found at once: 1 of 2. With a hint or at the second try: 0."));
+  EXPECT_TRUE(texts().contains("Solved at the first try: 1 of 2. With a hint or at the second try: 0."));
 }
 
 TEST_F(RealityPanelTest, TheReportHoldsEverythingAsPageAndAsPdf) {

@@ -274,7 +274,7 @@ TEST_F(ShapePanelTest, ACadMeshIsDroppedItsUnitGuessedAndChanged) {
   QApplication::processEvents();
   bool explained = false;
   for (const QLabel* label : panel->findChildren<QLabel*>())
-    explained = explained || (label->isVisible() && label->text().contains("guessed millimetres"));
+    explained = explained || (label->isVisible() && label->text().contains("Assuming millimetres"));
   EXPECT_TRUE(explained);
   click("meshPlace");
   EXPECT_NEAR((shape().bodies[0].X_SB.translation() - Vector3d(-0.04, -0.04, 0)).norm(), 0, 1e-6);

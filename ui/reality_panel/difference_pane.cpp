@@ -25,6 +25,7 @@
 #include "ui/timeline/playback_bar.h"
 #include "ui/timeline/time_axis.h"
 #include "ui/widgets/basics.h"
+#include "ui/widgets/choice_box.h"
 #include "ui/widgets/pane_header.h"
 
 namespace heft {
@@ -123,7 +124,7 @@ void DifferencePane::buildHeader() {
   }
   row->addWidget(segmented, 0, Qt::AlignVCenter);
   const auto addBox = [&](const char* name, const QString& title, int least, int most) {
-    auto* box = new QComboBox(header);
+    auto* box = new ChoiceBox(header);
     box->setObjectName(name);
     box->setAccessibleName(title);
     box->setToolTip(title);
@@ -134,7 +135,7 @@ void DifferencePane::buildHeader() {
     return box;
   };
   cause_ = addBox("lookCause", tr("Which causes"), 60, 3);
-  channel_ = addBox("lookChannel", tr("Channel"), 60, 2);
+  channel_ = addBox("lookChannel", tr("Channel"), 96, 2);
   for (int c = 0; c < 6; ++c) channel_->addItem(channelText(c));
   witness_ = addBox("lookWitness", tr("Against"), 60, 3);
   const auto addIcon = [&](const char* icon, const QString& tip, const char* name) {

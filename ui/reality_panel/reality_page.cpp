@@ -1,6 +1,5 @@
 #include "ui/reality_panel/reality_page.h"
 
-#include <QComboBox>
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -17,6 +16,7 @@
 #include "ui/models/setup_words.h"
 #include "ui/reality_panel/cause_card.h"
 #include "ui/reality_panel/cause_words.h"
+#include "ui/widgets/choice_box.h"
 
 namespace heft {
 namespace {
@@ -177,7 +177,7 @@ void addCheck(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& repor
     column->addWidget(button, 0, Qt::AlignLeft);
   } else if (!names.isEmpty()) {
     auto* row = new QHBoxLayout;
-    auto* which = new QComboBox(parent);
+    auto* which = new ChoiceBox(parent);
     which->setObjectName("checkWhich");
     which->setAccessibleName(Words::tr("Recording to check on"));
     which->addItems(names);

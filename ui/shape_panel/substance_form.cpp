@@ -14,6 +14,7 @@
 #include "ui/shape_panel/shape_text.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/basics.h"
+#include "ui/widgets/choice_box.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/stepper.h"
 
@@ -32,7 +33,7 @@ WeightField::WeightField(const QString& name, const QString& id, const QString& 
   field_->setToolTip(tr("What the scale shows for everything behind the sensor; optional."));
   field_->setMinimumSize(60, 40);
   field_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  unit_ = new QComboBox(this);
+  unit_ = new ChoiceBox(this);
   unit_->setObjectName(id + "Unit");
   unit_->addItems({QStringLiteral("kg"), QStringLiteral("g")});
   unit_->setAccessibleName(tr("Unit of the weight"));
@@ -139,7 +140,7 @@ SubstanceForm::SubstanceForm(const ShapeBody& body, bool part, QWidget* parent) 
   }
 
   grid->addWidget(styledLabel(tr("Material, if known"), "caption", this), mayBeHollow ? 2 : 0, mayBeHollow ? 0 : 1);
-  material_ = new QComboBox(this);
+  material_ = new ChoiceBox(this);
   material_->setObjectName("material");
   material_->setAccessibleName(tr("Material"));
   material_->setToolTip(tr("Only if the whole tool is made of it; optional."));
