@@ -10797,8 +10797,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Spalten und Einheiten wählen …</translation>
     </message>
     <message>
-        <source>Heft Studio was not closed normally last time. Your session was saved.</source>
-        <translation>Heft Studio wurde zuletzt nicht normal beendet. Ihre Sitzung wurde gesichert.</translation>
+        <source>Your last session was not closed. It was saved automatically.</source>
+        <translation>Ihre letzte Sitzung wurde nicht geschlossen. Sie wurde automatisch gesichert.</translation>
     </message>
     <message>
         <source>Heft Studio closed during a recording. The data up to that point was saved.</source>

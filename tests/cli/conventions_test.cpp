@@ -122,7 +122,7 @@ TEST_F(ConventionsTest, AReplaySaysAtOnceWhatTheNumbersMeanAndCanObey) {
   ASSERT_EQ(stated.exitCode, 0) << stated.err;
   EXPECT_THAT(stated.err, HasSubstr("The force is given in the robot's base axes"));
   EXPECT_THAT(stated.err, HasSubstr("--conventions suggested"));
-  EXPECT_THAT(stated.err, HasSubstr("no weight: "));
+  EXPECT_THAT(stated.err, HasSubstr("no mass: "));
   EXPECT_EQ(readJson("stated.json")["trust"], "none");
   const Outcome so = heft({"live", "replay:odd.csv?speed=4", "--conventions", "suggested", "--json", "suggested.json"});
   ASSERT_EQ(so.exitCode, 0) << so.err;

@@ -226,7 +226,7 @@ void MainWindow::connectParts() {
                                     [this, path] { files_->editRig(path); });
           });
   connect(&playback_, &Playback::timeChanged, view_, &RobotView::showTime);
-  connect(view_, &RobotView::pictureWanted, this, [this] { files_->savePicture(view_->grab().toImage(), tr("view")); });
+  connect(view_, &RobotView::pictureWanted, this, [this] { files_->savePicture(view_->picture(), tr("view")); });
   connect(pane_, &RecordingPane::csvWanted, this,
           [this] { files_->saveText(pane_->visibleText(), tr("visible"), ".csv", tr("Tables (*.csv)")); });
   for (auto* button : findChildren<QAbstractButton*>("aloneButton"))
@@ -351,10 +351,7 @@ void MainWindow::showManual(bool shown) {
 
 QImage MainWindow::pictureOf(const QString& part) {
   if (part == "window") return picture();
-  if (part == "view") {
-    view_->renderNow();
-    return view_->grab().toImage();
-  }
+  if (part == "view") return view_->picture();
   // What stands under the 3D view: in the reality check, the difference.
   if (part == "plots") return (below_->currentWidget() ? below_->currentWidget() : pane_)->grab().toImage();
   if (part == "panel") return panelStack_->grab().toImage();
@@ -393,18 +390,17 @@ void MainWindow::useAutosave(Autosave* autosave) {
   });
   showSaved();
   if (autosave_->leftBehind().isEmpty()) return offerUnfinished();
-  message_->showMessage(Severity::warning, tr("Heft Studio was not closed normally last time. Your session was saved."),
-                        tr("Restore"), [this] {
-                          const auto recovered = autosave_->recover();
-                          if (!recovered.unreadable.isEmpty()) {
-                            const auto& [file, reason] = recovered.unreadable.first();
-                            message_->showMessage(
-                                recovered.opened ? Severity::warning : Severity::error,
+  message_->showMessage(
+      Severity::warning, tr("Your last session was not closed. It was saved automatically."), tr("Restore"), [this] {
+        const auto recovered = autosave_->recover();
+        if (!recovered.unreadable.isEmpty()) {
+          const auto& [file, reason] = recovered.unreadable.first();
+          message_->showMessage(recovered.opened ? Severity::warning : Severity::error,
                                 tr("The saved session could not be restored; it is now %1. %2").arg(file, reason));
-                          } else if (recovered.opened) {
-                            offerUnfinished();
-                          }
-                        });
+        } else if (recovered.opened) {
+          offerUnfinished();
+        }
+      });
 }
 
 void MainWindow::offerUnfinished() {

@@ -32,6 +32,8 @@ namespace heft {
 
 namespace {
 
+constexpr int kWidestChoice = 320;  ///< [px] On a wide screen a list is no wider than its words.
+
 /// Of the chosen channel itself: what a delay or a filter shows best against.
 const QString kOwnRate = QStringLiteral("own_rate");
 
@@ -131,6 +133,7 @@ void DifferencePane::buildHeader() {
     // What does not fit is in the list; the panel beside it keeps its width.
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     box->setMinimumWidth(least);
+    box->setMaximumWidth(kWidestChoice);
     row->addWidget(box, most);
     return box;
   };
@@ -138,6 +141,7 @@ void DifferencePane::buildHeader() {
   channel_ = addBox("lookChannel", tr("Channel"), 96, 2);
   for (int c = 0; c < 6; ++c) channel_->addItem(channelText(c));
   witness_ = addBox("lookWitness", tr("Against"), 60, 3);
+  row->addStretch(0);
   const auto addIcon = [&](const char* icon, const QString& tip, const char* name) {
     auto* button = new IconButton(icon, tip, header);
     button->setObjectName(name);

@@ -101,7 +101,10 @@ void DifferenceTraces::drawLane(QPainter& p, const Lane& lane, const QString& ti
   const Theme& t = theme();
   p.setFont(uiFont(type::kTick));
   const QFontMetricsF metrics(p.font());
-  const auto ticks = ticksBetween(lane.low, lane.high, lane.area.height() > 90 ? 5 : 3);
+  // One number alone says nothing of the scale.
+  int wanted = lane.area.height() > 90 ? 5 : 3;
+  std::vector<double> ticks = ticksBetween(lane.low, lane.high, wanted);
+  while (ticks.size() < 2 && wanted < 8) ticks = ticksBetween(lane.low, lane.high, ++wanted);
   const int decimals = decimalsOf(ticks);
   for (const double tick : ticks) {
     const double y = lane.y(tick);

@@ -44,10 +44,7 @@ Result<bool> RealityPanel::writeReport(const QString& file, bool replace) {
   content.workspace = &workspace();
   // A riddle that is still to be guessed is not given away on paper.
   if (!riddle()) content.diagnosis = report();
-  if (parts().view) {
-    parts().view->renderNow();
-    content.view = parts().view->grab().toImage();
-  }
+  if (parts().view) content.view = parts().view->picture();
   return writeSessionReport(content, file, replace);
 }
 

@@ -616,6 +616,14 @@ void RobotView::usePreset(Preset preset) {
 
 void RobotView::renderNow() { viewport_->renderNow(); }
 
+QImage RobotView::picture() {
+  renderNow();
+  tools_->hide();
+  QImage out = grab().toImage();
+  tools_->show();
+  return out;
+}
+
 double RobotView::lastFrameMilliseconds() const { return viewport_->lastFrameMilliseconds(); }
 
 void RobotView::updateNote() {
