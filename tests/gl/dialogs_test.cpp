@@ -116,6 +116,15 @@ class DialogsTest : public testing::Test {
     }
     EXPECT_GE(controls, 1);
   }
+  /// The parts that need most room, for whoever has to find them.
+  static std::string widest(const QWidget* content) {
+    std::string out;
+    for (const auto* each : content->findChildren<QWidget*>())
+      if (each->isVisible() && each->minimumSizeHint().width() > 300)
+        out += std::string(each->metaObject()->className()) + " " + each->objectName().toStdString() + " " +
+               std::to_string(each->minimumSizeHint().width()) + "\n";
+    return out;
+  }
   QAction* entry(const QString& object) {
     for (QAction* action : studio->window().findChildren<QAction*>())
       if (action->objectName() == object) return action;
@@ -235,7 +244,7 @@ TEST_F(DialogsTest, NoStepIsWiderThanItsPanelInASmallWindow) {
         for (const auto* area : window.panel(step)->findChildren<QScrollArea*>("panelScroll")) {
           if (!area->isVisible()) continue;
           ++pages;
-          EXPECT_LE(area->widget()->width(), area->viewport()->width());
+          EXPECT_LE(area->widget()->width(), area->viewport()->width()) << widest(area->widget());
         }
         EXPECT_GE(pages, 1);
       }

@@ -247,7 +247,6 @@ void ExportPanel::addToolCentre(QVBoxLayout* column, const ExportChoice& choice)
     const QString axis(QChar('x' + i));
     auto* field = new Stepper(axis, QStringLiteral("mm"), {-2000.0, 2000.0, 1.0, 1}, content);
     field->setObjectName(QStringLiteral("tcp_") + axis);
-    field->hideUnit();
     field->setValue(1e3 * choice.tcp(i));
     connect(field, &Stepper::begun, this, [this] { tcpKey_ = workspace().newMergeKey(); });
     connect(field, &Stepper::changed, this, [this, i](double millimetres) {

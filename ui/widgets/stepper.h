@@ -25,10 +25,10 @@ class Stepper : public QFrame {
   double value() const { return value_; }
   /// Marks the value as one that does not fit; `sentence` empty takes that back. Emits refused().
   void setProblem(const QString& sentence);
-  /// Where the unit stands beside the field already, and room is scarce.
-  void hideUnit();
   /// Drawn as being dragged or pointed at elsewhere.
   void setStrong(bool strong);
+  /// The unit gives way where there is room for the number only.
+  QSize minimumSizeHint() const override;
 
  signals:
   /// The user begins to change it: by holding a button or a key, or by typing. Changes until the next one are one edit.
@@ -38,12 +38,14 @@ class Stepper : public QFrame {
   void refused(const QString& sentence);
 
  protected:
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void step(double steps);
   void take();
   void showValue();
+  void fitUnit();
   void mark(const char* property, bool on);
 
   QString name_, unit_;
