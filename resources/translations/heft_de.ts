@@ -1065,12 +1065,12 @@
         <translation>&amp;Hilfe</translation>
     </message>
     <message>
-        <source>Go to s&amp;tep</source>
+        <source>&amp;Go to step</source>
         <translation>Zum S&amp;chritt</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
+        <translation>B&amp;eenden</translation>
     </message>
     <message>
         <source>&amp;New</source>
@@ -1109,7 +1109,7 @@
         <translation>&amp;Werkzeug</translation>
     </message>
     <message>
-        <source>F&amp;ront</source>
+        <source>Fro&amp;nt</source>
         <translation>&amp;Vorn</translation>
     </message>
     <message>
@@ -1141,7 +1141,7 @@
         <translation>&amp;Noch einmal schätzen</translation>
     </message>
     <message>
-        <source>&amp;Stop the current task</source>
+        <source>S&amp;top the current task</source>
         <translation>Laufende Aufgabe an&amp;halten</translation>
     </message>
     <message>
@@ -1189,7 +1189,7 @@
         <translation>&amp;Roboter und Sensor …</translation>
     </message>
     <message>
-        <source>&amp;Columns and units …</source>
+        <source>Columns and &amp;units …</source>
         <translation>Spalten und &amp;Einheiten …</translation>
     </message>
     <message>
@@ -1209,7 +1209,7 @@
         <translation>&amp;Kurven maximieren</translation>
     </message>
     <message>
-        <source>Maximise 3&amp;D view</source>
+        <source>Maximise 3D &amp;view</source>
         <translation>&amp;3D-Ansicht maximieren</translation>
     </message>
     <message>
@@ -11857,12 +11857,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Weiter zu Ausgeben</translation>
     </message>
     <message>
-        <source>&amp;Run reality check</source>
-        <translation>&amp;Realitätsprüfung starten</translation>
+        <source>Run reality chec&amp;k</source>
+        <translation>Reali&amp;tätsprüfung starten</translation>
     </message>
     <message>
-        <source>Save &amp;report …</source>
-        <translation>&amp;Bericht speichern …</translation>
+        <source>Save repor&amp;t …</source>
+        <translation>Be&amp;richt speichern …</translation>
     </message>
     <message>
         <source>&amp;New exercise</source>
@@ -12344,11 +12344,11 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>%1 gespeichert.</translation>
     </message>
     <message>
-        <source>Save &amp;recording as …</source>
-        <translation>Auf&amp;nahme speichern unter …</translation>
+        <source>Save recordin&amp;g as …</source>
+        <translation>Aufnahme speichern un&amp;ter …</translation>
     </message>
     <message>
-        <source>Open the recordings f&amp;older</source>
+        <source>Open the recordings fol&amp;der</source>
         <translation>&amp;Ordner der Aufnahmen öffnen</translation>
     </message>
     <message>
@@ -12400,7 +12400,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Räume (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Choose a &amp;room …</source>
+        <source>Choose a r&amp;oom …</source>
         <translation>R&amp;aum wählen …</translation>
     </message>
     <message>

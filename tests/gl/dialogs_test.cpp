@@ -13,6 +13,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMap>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -249,6 +250,26 @@ TEST_F(DialogsTest, NoStepIsWiderThanItsPanelInASmallWindow) {
         EXPECT_GE(pages, 1);
       }
     }
+  }
+}
+
+TEST_F(DialogsTest, NoMenuHasTwoEntriesOfOneLetter) {
+  for (const char* language : {"en", "de"}) {
+    ASSERT_TRUE(studio->setLanguage(language));
+    settle();
+    int letters = 0;
+    for (const QMenu* menu : studio->window().findChildren<QMenu*>()) {
+      QMap<QChar, QString> taken;
+      for (const QAction* action : menu->actions()) {
+        const int at = action->text().indexOf('&');
+        if (at < 0 || at + 1 >= action->text().size()) continue;
+        const QChar letter = action->text()[at + 1].toLower();
+        EXPECT_FALSE(taken.contains(letter)) << action->text().toStdString() << " and " << taken[letter].toStdString();
+        taken[letter] = action->text();
+        ++letters;
+      }
+    }
+    EXPECT_GE(letters, 40);
   }
 }
 

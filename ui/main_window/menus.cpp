@@ -27,7 +27,7 @@ StudioMenus MenuBuilder::build(QMenuBar* bar) {
 }
 
 void MenuBuilder::finish(QMenuBar*, const StudioMenus& menus) {
-  QMenu* steps = menus.view->addMenu(tr("Go to s&tep"));
+  QMenu* steps = menus.view->addMenu(tr("&Go to step"));
   for (const Step step : kAllSteps) {
     if (!w_->panel(step)) continue;
     QAction* action = steps->addAction(stepName(step), w_, [w = w_, step] { w->showStep(step); });
@@ -76,7 +76,7 @@ void MenuBuilder::buildView(QMenu* menu) {
   };
   addView(tr("Zoom to &whole arm"), Qt::Key_F, RobotView::Preset::overview);
   addView(tr("Zoom to &tool"), Qt::Key_T, RobotView::Preset::tool);
-  addView(tr("F&ront"), QKeySequence("Ctrl+1"), RobotView::Preset::front);
+  addView(tr("Fro&nt"), QKeySequence("Ctrl+1"), RobotView::Preset::front);
   addView(tr("&Side"), QKeySequence("Ctrl+2"), RobotView::Preset::side);
   addView(tr("T&op"), QKeySequence("Ctrl+3"), RobotView::Preset::top);
   menu->addSeparator();
@@ -88,7 +88,7 @@ void MenuBuilder::buildView(QMenu* menu) {
         ->setShortcut(key);
   };
   addAlone(tr("Maximise &plots"), Qt::Key_F11, Alone::below);
-  addAlone(tr("Maximise 3&D view"), QKeySequence("Shift+F11"), Alone::view);
+  addAlone(tr("Maximise 3D &view"), QKeySequence("Shift+F11"), Alone::view);
   QAction* details = menu->addAction(tr("D&etails"), w_, [w = w_] { w->showDetails(!w->detailsShown()); });
   details->setShortcut(QKeySequence("Ctrl+D"));
   menu->addSeparator();
@@ -107,10 +107,10 @@ void MenuBuilder::buildView(QMenu* menu) {
 void MenuBuilder::buildTools(QMenu* menu) {
   QAction* again = menu->addAction(tr("&Estimate again"), w_->workspace_, &Workspace::estimate);
   again->setShortcut(QKeySequence("Ctrl+R"));
-  QAction* stop = menu->addAction(tr("&Stop the current task"), w_->workspace_, &Workspace::cancel);
+  QAction* stop = menu->addAction(tr("S&top the current task"), w_->workspace_, &Workspace::cancel);
   menu->addSeparator();
   QAction* rig = menu->addAction(tr("&Robot and sensor …"), w_, [w = w_] { w->files_->editRig(); });
-  QAction* sources = menu->addAction(tr("&Columns and units …"), w_, [w = w_] { w->files_->editSources(); });
+  QAction* sources = menu->addAction(tr("Columns and &units …"), w_, [w = w_] { w->files_->editSources(); });
   rig->setObjectName("editRig");
   sources->setObjectName("editSources");
   QObject::connect(menu, &QMenu::aboutToShow, w_, [w = w_, again, stop, rig, sources] {

@@ -21,13 +21,13 @@ namespace heft {
 Result<bool> RealityPanel::refusal(const QString& sentence) { return Error{sentence.toStdString()}; }
 
 void RealityPanel::addActions(const StudioMenus& menus) {
-  QAction* again = menus.tools->addAction(tr("&Run reality check"), this, [this] {
+  QAction* again = menus.tools->addAction(tr("Run reality chec&k"), this, [this] {
     if (!workspace().opened()) return;
     parts().goTo(Step::realityCheck);
     diagnose();
   });
   again->setShortcut(QKeySequence("Ctrl+L"));
-  menus.file->addAction(tr("Save &report …"), this, &RealityPanel::saveReport)->setShortcut(QKeySequence("Ctrl+P"));
+  menus.file->addAction(tr("Save repor&t …"), this, &RealityPanel::saveReport)->setShortcut(QKeySequence("Ctrl+P"));
   QAction* riddle = menus.practice->addAction(tr("&New exercise"), this,
                                               [this] { practise(QRandomGenerator::global()->bounded(1u, 1000000u)); });
   riddle->setShortcut(QKeySequence("Ctrl+Shift+P"));

@@ -413,10 +413,10 @@ void RecordPanel::showRoom() {
 }
 
 void RecordPanel::addActions(const StudioMenus& menus) {
-  menus.tools->addAction(tr("Choose a &room …"), this, &RecordPanel::chooseRoom)->setObjectName("chooseRoomAction");
-  menus.file->addAction(tr("Save &recording as …"), this, &RecordPanel::saveRecordingAs)
+  menus.tools->addAction(tr("Choose a r&oom …"), this, &RecordPanel::chooseRoom)->setObjectName("chooseRoomAction");
+  menus.file->addAction(tr("Save recordin&g as …"), this, &RecordPanel::saveRecordingAs)
       ->setObjectName("saveRecordingAs");
-  menus.file->addAction(tr("Open the recordings f&older"), this, [] {
+  menus.file->addAction(tr("Open the recordings fol&der"), this, [] {
     QDir().mkpath(recordedFolder());
     QDesktopServices::openUrl(QUrl::fromLocalFile(recordedFolder()));
   });
