@@ -9670,6 +9670,18 @@ Bitte prüfen Sie den Namen.</translation>
         <source>time [s]</source>
         <translation>Zeit [s]</translation>
     </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>RMS residual</source>
+        <translation>Rest (eff.)</translation>
+    </message>
+    <message>
+        <source>1/Δt %1 Hz</source>
+        <translation>1/Δt %1 Hz</translation>
+    </message>
 </context>
 <context>
     <name>heft::DifferencePane</name>
@@ -12491,7 +12503,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     </message>
     <message>
         <source>residual (grey: noise)</source>
-        <translation>Differenz, grau = Rauschen</translation>
+        <translation>Rest (grau: Rauschen)</translation>
     </message>
     <message>
         <source>Paint</source>
