@@ -74,7 +74,8 @@ TEST(DiagnosisReport, PageSaysWhatElseWasNoticed) {
     EXPECT_EQ(page.find(part), std::string::npos) << part;
   report.verdict = Verdict::unexplained;
   report.remaining = {"the size of the load", 50.0, 0.25, 0.0, 0.0};
-  EXPECT_NE(toHtml(report, {}).find("25.0 % of the remaining difference is related to the load"), std::string::npos);
+  EXPECT_NE(toHtml(report, {}).find("25.0 % of the remaining difference is related to the size of the load"),
+            std::string::npos);
 }
 
 TEST(DiagnosisReport, SaysByHowMuchThePayloadMoves) {
