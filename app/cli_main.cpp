@@ -66,11 +66,11 @@ int runCommandLine(int argc, char** argv) {
   root.set_help_flag("-h,--help", "Print this help and end");
   root.get_formatter()->column_width(34);
   root.footer(
-      "The usual way:\n"
+      "Quick start:\n"
       "  heft simulate --motion excitation --seed 1 -o rec.csv      (or use your own recording)\n"
       "  heft estimate rec.csv --json result.json\n"
       "  heft export result.json --format franka-desk -o tool.json\n\n"
-      "Exit codes: 0 success, 1 failure, 2 usage error. 'heft COMMAND --help' shows one command.");
+      "Exit codes: 0 success, 1 failure, 2 usage error. 'heft COMMAND --help' describes a command.");
 
   const std::array commands{heft::cli::makeEstimateCommand(root),    heft::cli::makeDiagnoseCommand(root),
                             heft::cli::makeSegmentCommand(root),     heft::cli::makeLiveCommand(root),

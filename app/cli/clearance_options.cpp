@@ -12,14 +12,13 @@
 namespace heft::cli {
 
 void addClearanceOptions(CLI::App& app, ClearanceArguments& arguments) {
-  const char* const kGroup = "What is in the way";
+  const char* const kGroup = "Obstacles";
   app.add_option("--room", arguments.room,
                  "Walls, tables, boxes and meshes as JSON (heft.room/1): nothing comes nearer\n"
                  "than its margin")
       ->type_name("FILE")
       ->group(kGroup);
-  app.add_option("--shape", arguments.shape,
-                 "Shape of the tool, as in 'heft estimate'; otherwise what the URDF has there")
+  app.add_option("--shape", arguments.shape, "Shape of the tool, as in 'heft estimate'; otherwise from the URDF")
       ->type_name("SHAPE")
       ->group(kGroup);
   app.add_option("--shape-file", arguments.shapeFile, "Shape as JSON: several bodies, meshes")
@@ -40,7 +39,7 @@ Surroundings::Surroundings(const ClearanceArguments& arguments, const GuidedTool
     findings.push_back(
         {Severity::warning,
          "arm_not_judged",
-         heft::say("The arm's bodies cannot be read, so motions are not judged against the arm itself: {}",
+         heft::say("The arm's bodies cannot be read, so motions are not checked against the arm itself: {}",
                    made.error().message),
          {},
          {}});

@@ -129,9 +129,8 @@ void requireWritable(const std::filesystem::path& path, const Overwrite& overwri
     const auto old = readTextFile(path);
     if (old && overwrite.expendable(*old)) return;
   }
-  throw Failed(
-      fmt::format("{} exists already and was left as it is: choose another name, or give --force to replace it.",
-                  displayName(path)));
+  throw Failed(fmt::format("{} already exists and was not overwritten: choose another name, or use --force.",
+                           displayName(path)));
 }
 
 void writeOutput(const std::filesystem::path& path, std::string_view text, const Overwrite& overwrite) {

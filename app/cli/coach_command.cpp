@@ -79,9 +79,7 @@ void writeResults(const CoachArguments& options, std::string_view schema, const 
 GuidedTool toolOf(const Input& input) {
   if (!input.model() || !input.recording.hasJoints())
     throw Failed(
-        fmt::format("{} has no joint angles of a known arm: without them no motion can be proposed that the arm can "
-                    "make.",
-                    input.recording.file));
+        fmt::format("{} has no joint angles of a known arm, so no motion can be suggested.", input.recording.file));
   return orFail(guidedTool(*input.model(), input.recording.meta.mount));
 }
 
@@ -96,7 +94,8 @@ std::pair<std::string, json> whatDecides(const Input& input, const std::optional
   const conventions::Report report = conventions::check(conventions::questionOf(recording, *motion));
   const auto tied = tiedReadings(report);
   if (!tied) return {};
-  std::string text = fmt::format("Two readings of the numbers fit:\n  {}\n  {}\n", tied->firstSaid, tied->secondSaid);
+  std::string text =
+      fmt::format("Two interpretations of the numbers fit:\n  {}\n  {}\n", tied->firstSaid, tied->secondSaid);
   json out{{"readings", {tied->firstSaid, tied->secondSaid}}, {"q_rad", nullptr}, {"text", report.decides}};
   const auto pose = poses && tool ? decidingPose(recording, *tool, *tied, from, around->clearance()) : std::nullopt;
   if (pose) {
@@ -204,7 +203,7 @@ void runCoach(CoachArguments options) {
            {"interval95_after", widths(advice.after)},
            {"clearance", around->toJson()},
            {"findings", toJson(findings)}};
-  std::string text = fmt::format("Known now: {}.\n{}\n", knownText(advice.before), advice.sentence);
+  std::string text = fmt::format("Current uncertainty: {}.\n{}\n", knownText(advice.before), advice.sentence);
   if (advice.needed) {
     text += fmt::format("  {}\n  {:.1f} s, {}\n", advice.gain, advice.motion.duration(),
                         speedText(advice.use, options.coach.limits.tcpSpeed));
@@ -264,9 +263,10 @@ void runExcite(CoachArguments options) {
                  {"clearance", around.toJson()},
                  {"findings", toJson(findings)}};
   std::string text = fmt::format("{}: {:.1f} s at {:g} Hz", options.output, e.excited.duration(), options.rateHz);
-  if (e.slowed > 1.001) text += fmt::format(", {:.2f} times slower than taught to keep the limits", e.slowed);
-  text += fmt::format("\n  sines in {} free part{}: up to {:.3f} rad a joint, {:.1f} mm from the taught path\n",
-                      e.free.size(), e.free.size() == 1 ? "" : "s", e.amplitude, 1e3 * e.deviation);
+  if (e.slowed > 1.001) text += fmt::format(", slowed down {:.2f} times to respect the limits", e.slowed);
+  text +=
+      fmt::format("\n  sine motions in {} free segment{}: up to {:.3f} rad per joint, {:.1f} mm from the taught path\n",
+                  e.free.size(), e.free.size() == 1 ? "" : "s", e.amplitude, 1e3 * e.deviation);
   text += fmt::format("  {}\n", speedText(e.use, options.excitation.limits.tcpSpeed));
   text += fmt::format("  now:                    {}\n  after a plain replay:   {}\n  after this replay:      {}\n",
                       knownText(e.now), knownText(e.replayed), knownText(e.after));
@@ -283,14 +283,14 @@ CLI::App* addCommon(CLI::App& root, const char* name, const char* what, CoachArg
       ->type_name("FILE");
   addRecordingOptions(*app, options.import);
   app->add_option("--robot", options.robot, "panda or a URDF, instead of what the setup file names")->type_name("NAME");
-  app->add_option("--tcp-speed", limits.tcpSpeed, "No point of the tool faster than this [m/s]")
+  app->add_option("--tcp-speed", limits.tcpSpeed, "Speed limit for any point of the tool [m/s]")
       ->type_name("M/S")
       ->capture_default_str();
-  app->add_option("--rate", options.rateHz, "Rows a second of the trajectory [Hz]")
+  app->add_option("--rate", options.rateHz, "Rows per second of the trajectory [Hz]")
       ->type_name("HZ")
       ->capture_default_str();
   addClearanceOptions(*app, options.clearance);
-  app->add_flag("--force", options.force, "Replace files that exist");
+  app->add_flag("--force", options.force, "Overwrite existing files");
   return app;
 }
 
@@ -298,14 +298,14 @@ CLI::App* addCommon(CLI::App& root, const char* name, const char* what, CoachArg
 
 Command makeCoachCommand(CLI::App& root) {
   auto options = std::make_shared<CoachArguments>();
-  CLI::App* app = addCommon(root, "coach", "Say which motion, or which standing pose, would help most", *options,
+  CLI::App* app = addCommon(root, "coach", "Suggest the motion or standing pose that would help most", *options,
                             options->coach.limits);
-  app->add_option("--want", options->want, "mass, com or inertia; otherwise what is worst known")->type_name("NAME");
-  app->add_option("--seconds", options->coach.duration, "Longest motion to propose [s]")
+  app->add_option("--want", options->want, "mass, com or inertia; otherwise the least certain")->type_name("NAME");
+  app->add_option("--seconds", options->coach.duration, "Longest motion to suggest [s]")
       ->type_name("S")
       ->capture_default_str();
   app->add_option("-o,--output", options->output,
-                  "Write the proposed motion as CSV: time, joint angles and speeds, from the recording's last posture")
+                  "Write the suggested motion as CSV: time, joint angles and speeds, from the recording's last posture")
       ->type_name("FILE");
   app->footer(
       "Examples:\n"
@@ -317,8 +317,8 @@ Command makeCoachCommand(CLI::App& root) {
 Command makeExciteCommand(CLI::App& root) {
   auto options = std::make_shared<CoachArguments>();
   auto& excitation = options->excitation;
-  CLI::App* app = addCommon(root, "excite", "Add small sines to a taught motion for its replay by the robot", *options,
-                            excitation.limits);
+  CLI::App* app = addCommon(root, "excite", "Add small sine motions to a taught motion, for the robot to replay",
+                            *options, excitation.limits);
   app->add_option("-o,--output", options->output, "CSV to write: time, joint angles and speeds")
       ->type_name("FILE")
       ->required();

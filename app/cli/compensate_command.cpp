@@ -62,14 +62,14 @@ Command makeCompensateCommand(CLI::App& root) {
   app->add_option("RESULT", options->result, "JSON from 'heft estimate --json', or a payload JSON in sensor axes")
       ->type_name("")
       ->required();
-  app->add_option("--diagnosis", options->diagnosis, "JSON from 'heft diagnose --json': its causes are taken out, too")
+  app->add_option("--diagnosis", options->diagnosis, "JSON from 'heft diagnose --json': its causes are corrected, too")
       ->type_name("FILE");
   app->add_option("-o,--output", options->output, "CSV with motion, compensated wrench and phase; - is stdout")
       ->type_name("FILE");
   app->add_option("--json", options->json, "Write the phases as JSON; - is stdout, instead of the text")
       ->type_name("FILE");
   app->add_option("--robot", options->robot, "panda or a URDF, instead of the setup file's")->type_name("ROBOT");
-  app->add_flag("--force", options->force, "Replace files that exist");
+  app->add_flag("--force", options->force, "Overwrite existing files");
   addRecordingOptions(*app, options->import);
   addRateOption(*app, options->import);
   app->footer(

@@ -60,7 +60,7 @@ Meaning meaningOf(const ConvertArguments& options) {
     return out;
   }
   out.text = fmt::format("\n{}\n", report.sentence);
-  for (const auto& tie : report.ties) out.text += fmt::format("  fits as well: {}\n", tie.sentence);
+  for (const auto& tie : report.ties) out.text += fmt::format("  fits equally well: {}\n", tie.sentence);
   if (!report.decides.empty()) out.text += fmt::format("  {}\n", report.decides);
   if (const json& meta = out.conventions["meta"]; !meta.is_null())
     out.text += fmt::format("  Write into the setup file: {}\n", meta.dump());
@@ -166,7 +166,7 @@ void run(const ConvertArguments& options) {
   for (const auto& [key, value] : conventions.items())
     taken += fmt::format("{}{} {}", taken.empty() ? "" : ", ", key,
                          value.is_string() ? value.get<std::string>() : value.dump());
-  if (!taken.empty()) text += fmt::format("  brought to the plain form from: {}\n", taken);
+  if (!taken.empty()) text += fmt::format("  converted from: {}\n", taken);
   print(text);
   printFindings(read.findings, true);
 }
@@ -180,12 +180,12 @@ Command makeConvertCommand(CLI::App& root) {
       ->type_name("")
       ->required();
   app->add_option("OUT", options->output, "CSV to write; its setup file is written beside it")->type_name("");
-  app->add_flag("--list", options->list, "Show topics and columns and what would be taken from them; write nothing");
+  app->add_flag("--list", options->list, "Show topics and columns, and what would be used; write nothing");
   app->add_option("--robot", options->import.robot, "panda or a URDF, instead of the setup file's")->type_name("ROBOT");
   addRecordingOptions(*app, options->import);
   addRateOption(*app, options->import);
   app->add_option("--json", options->json, "Also write what was found as JSON; - is stdout")->type_name("FILE");
-  app->add_flag("--force", options->force, "Replace files that exist");
+  app->add_flag("--force", options->force, "Overwrite existing files");
   app->footer(
       "Examples:\n"
       "  heft convert raw.csv rec.csv\n"

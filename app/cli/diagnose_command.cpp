@@ -30,8 +30,10 @@ struct DiagnoseArguments {
 };
 
 void list() {
+  // What has no title of its own only takes part in the search.
   for (const auto& cause : diagnosis::catalogue())
-    print(fmt::format("  {:<18} {}\n", cause->id(), causeTitle(cause->id())));
+    if (causeTitle(cause->id()) != cause->id())
+      print(fmt::format("  {:<18} {}\n", cause->id(), causeTitle(cause->id())));
   print("  Strong contact, saturation, spikes, dropouts and frame_error are seen directly.\n");
 }
 
@@ -115,12 +117,12 @@ Command makeDiagnoseCommand(CLI::App& root) {
       ->type_name("FILE");
   app->add_option("--report", options->report, "Write a page with plots (HTML)")->type_name("FILE");
   app->add_option("--result", options->result,
-                  "Write the payload estimated with the causes taken out, for 'heft export'")
+                  "Write the payload estimated with the causes corrected, for 'heft export'")
       ->type_name("FILE");
-  app->add_option("--check", options->check, "Another recording of the same rig, to check the causes on")
+  app->add_option("--check", options->check, "Another recording of the same setup, to check the causes on")
       ->type_name("FILE");
   app->add_option("--corrected-meta", options->correctedMeta,
-                  "Where a cause means that the setup file is wrong, write the corrected one")
+                  "Write the corrected setup file, where a cause shows that it is wrong")
       ->type_name("FILE");
   addRecordingOptions(*app, options->import);
   addRateOption(*app, options->import);
@@ -128,13 +130,13 @@ Command makeDiagnoseCommand(CLI::App& root) {
   app->add_option("--segments", options->segments, "auto, marks or all, as for 'heft estimate'")->type_name("NAME");
   app->add_option("--without", options->hidden, "Exclude a cause (repeatable)")->type_name("CAUSE");
   app->add_option("--surrogates", options->surrogates,
-                  "Simulated clean recordings that set the threshold; 0: a fixed one")
+                  "Simulated clean recordings that set the threshold; 0: fixed threshold")
       ->type_name("N")
       ->capture_default_str();
   app->add_option("--seed", options->seed, "Random seed for the simulations")->type_name("N")->capture_default_str();
   app->add_flag("--timing", options->timing, "Show time and memory of each stage, in the JSON, too");
   app->add_flag("--list-causes", options->causes, "Show the catalogue");
-  app->add_flag("--force", options->force, "Replace files that exist");
+  app->add_flag("--force", options->force, "Overwrite existing files");
   app->footer(
       "Examples:\n"
       "  heft diagnose rec.csv\n"

@@ -140,7 +140,7 @@ class Pool {
     ::close(ends[1]);
     if (process < 0) {
       ::close(ends[0]);
-      throw Failed(fmt::format("No further process: {}. Give fewer --jobs.", std::strerror(errno)));
+      throw Failed(fmt::format("Cannot start another process: {}. Use fewer --jobs.", std::strerror(errno)));
     }
     workers_.push_back({file, process, ends[0], {}});
   }
@@ -197,7 +197,7 @@ void forEachRecording(const EachRecording& wish, const std::function<json(const 
     failed += lines.failed(file) ? 1 : 0;
   }
   if (left.size() < asked.size())
-    tell(fmt::format("{} of {} recordings have a line already.\n", asked.size() - left.size(), asked.size()));
+    tell(fmt::format("{} of {} recordings already have a line.\n", asked.size() - left.size(), asked.size()));
 
   const std::size_t jobs =
       wish.jobs > 0 ? static_cast<std::size_t>(wish.jobs) : std::max(1u, std::thread::hardware_concurrency());

@@ -204,13 +204,15 @@ void run(const EstimateArguments& options) {
 void addManyOptions(CLI::App& app, EstimateArguments& options) {
   const char* const kManyGroup = "Many recordings, each by itself";
   app.add_flag("--each", options.each,
-               "Estimate each recording by itself; those that have a line already are passed over")
+               "Estimate each recording separately; recordings that already have a line are skipped")
       ->group(kManyGroup);
   app.add_option("--json-lines", options.jsonLines,
-                 "One line of JSON a recording: its result, or \"file\" and \"error\"; - is stdout")
+                 "One line of JSON per recording: its result, or \"file\" and \"error\"; - is stdout")
       ->type_name("FILE")
       ->group(kManyGroup);
-  app.add_option("--jobs", options.jobs, "How many at a time; one a core if absent")->type_name("N")->group(kManyGroup);
+  app.add_option("--jobs", options.jobs, "How many at a time; one per core if omitted")
+      ->type_name("N")
+      ->group(kManyGroup);
 }
 
 void addMethodOptions(CLI::App& app, EstimateArguments& options) {
@@ -223,9 +225,10 @@ void addMethodOptions(CLI::App& app, EstimateArguments& options) {
       ->type_name("NAME")
       ->capture_default_str()
       ->group(kMethodGroup);
-  app.add_flag("--compare", options.compare, "Show all methods side by side; --json and -o hold the chosen one")
+  app.add_flag("--compare", options.compare, "Show all methods side by side; --json and -o contain the chosen one")
       ->group(kMethodGroup);
-  app.add_option("--known", options.known, "Payload JSON: values of what is not estimated; errors are told against it")
+  app.add_option("--known", options.known,
+                 "Reference payload (JSON): fixes what is not estimated; errors are reported against it")
       ->type_name("FILE")
       ->group(kMethodGroup);
   app.add_flag("--no-bias", options.noBias, "Do not estimate the six sensor biases")->group(kMethodGroup);
@@ -234,20 +237,20 @@ void addMethodOptions(CLI::App& app, EstimateArguments& options) {
 }
 
 void addDataOptions(CLI::App& app, EstimateArguments& options) {
-  const char* const kDataGroup = "Which data";
-  app.add_option("--trim", options.estimate.trim, "Fraction of the time dropped at each end")
+  const char* const kDataGroup = "Data selection";
+  app.add_option("--trim", options.estimate.trim, "Fraction of the duration excluded at each end")
       ->type_name("FRACTION")
       ->capture_default_str()
       ->group(kDataGroup);
   app.add_option("--segments", options.segments,
-                 "auto: find contact; marks: only what is marked free; all: everything.\n"
-                 "Otherwise marks where the recording has any, else auto")
+                 "auto: detect contact; marks: only what is marked free; all: everything.\n"
+                 "Default: marks if the recording has any, otherwise auto")
       ->type_name("NAME")
       ->group(kDataGroup);
 }
 
 void addToolOptions(CLI::App& app, EstimateArguments& options) {
-  const char* const kShapeGroup = "Shape of the tool, where the motion cannot tell its inertia";
+  const char* const kShapeGroup = "Shape of the tool, where the motion does not determine its inertia";
   app.add_option("--shape", options.shape,
                  "KIND:DIMS[@POSE] in metres: box:x,y,z cylinder:radius,height tube:outer,inner,height\n"
                  "sphere:radius cone:radius,height capsule:radius,length plate:x,y,thickness;\n"
@@ -257,17 +260,17 @@ void addToolOptions(CLI::App& app, EstimateArguments& options) {
   app.add_option("--shape-file", options.shapeFile, "Shape as JSON: several bodies, meshes")
       ->type_name("FILE")
       ->group(kShapeGroup);
-  app.add_flag("--inside-shape", options.estimate.insideShape, "Hold all mass inside the shape (map)")
+  app.add_flag("--inside-shape", options.estimate.insideShape, "Keep all mass inside the shape (map)")
       ->group(kShapeGroup);
-  const char* const kBeliefGroup = "What else is known of the tool, weighed against the motion (method map)";
-  app.add_option("--mass", options.mass, "What a scale shows [kg]: 0.812, 0.812+-0.004 or 0.812+-1%; else +-0.5%")
+  const char* const kBeliefGroup = "Other knowledge of the tool, weighed against the motion (method map)";
+  app.add_option("--mass", options.mass, "Mass from a scale [kg]: 0.812, 0.812+-0.004 or 0.812+-1%; default +-0.5%")
       ->type_name("KG")
       ->group(kBeliefGroup);
   app.add_option("--cad", options.cad,
-                 "Payload JSON from CAD; may hold \"certainty\" and \"weights\": {\"mass\", \"centre\", \"shape\"}")
+                 "Payload JSON from CAD; may contain \"certainty\" and \"weights\": {\"mass\", \"centre\", \"shape\"}")
       ->type_name("FILE")
       ->group(kBeliefGroup);
-  app.add_option("--certainty", options.certainty, "rough, good or exact: how sure the shape or the CAD file is")
+  app.add_option("--certainty", options.certainty, "Confidence in the shape or CAD file: rough, good or exact")
       ->type_name("NAME")
       ->group(kBeliefGroup);
 }
@@ -278,7 +281,7 @@ void addSmoothingOptions(CLI::App& app, EstimateArguments& options) {
       ->type_name("NAME")
       ->capture_default_str()
       ->group(kSmoothGroup);
-  app.add_option("--cutoff", options.estimate.motion.cutoffHz, "Of the low-pass [Hz]; chosen from the data if absent")
+  app.add_option("--cutoff", options.estimate.motion.cutoffHz, "Cutoff of the low-pass [Hz]; automatic if omitted")
       ->type_name("HZ")
       ->capture_default_str()
       ->group(kSmoothGroup);
@@ -286,7 +289,7 @@ void addSmoothingOptions(CLI::App& app, EstimateArguments& options) {
       ->type_name("N")
       ->capture_default_str()
       ->group(kSmoothGroup);
-  app.add_option("--sg-window", options.estimate.motion.window, "Its window [samples]")
+  app.add_option("--sg-window", options.estimate.motion.window, "Window of Savitzky-Golay [samples]")
       ->type_name("N")
       ->capture_default_str()
       ->group(kSmoothGroup);
@@ -299,10 +302,10 @@ Command makeEstimateCommand(CLI::App& root) {
   options->method = toString(options->estimate.method);
   options->parameters = toString(options->estimate.parameters);
   options->smoothing = "low-pass";
-  CLI::App* app = root.add_subcommand("estimate", "Find mass, centre of mass and inertia from a recording");
+  CLI::App* app = root.add_subcommand("estimate", "Estimate mass, centre of mass and inertia from a recording");
   app->add_option("RECORDING", options->recordings,
                   "CSV with time, motion and wrench columns, SI units; or ROS bag, MCAP, HDF5, ...\n"
-                  "Several recordings of one tool are joined")
+                  "Several recordings of one tool are combined")
       ->type_name("")
       ->required();
   app->add_option("--json", options->json, "Write the result as JSON; - is stdout, instead of the text")
@@ -311,10 +314,10 @@ Command makeEstimateCommand(CLI::App& root) {
   app->add_option("-o,--output", options->output,
                   "Also write the payload file, in flange axes, ready for the controller")
       ->type_name("FILE");
-  app->add_option("-f,--format", options->format, "Its format, see 'heft export --help'")
+  app->add_option("-f,--format", options->format, "Output format, see 'heft export --help'")
       ->type_name("NAME")
       ->capture_default_str();
-  app->add_flag("--force", options->force, "Replace files that exist, and write a payload that is not trusted");
+  app->add_flag("--force", options->force, "Overwrite existing files, and write a payload that is not reliable");
   addManyOptions(*app, *options);
   app->add_option("--minus", options->minus,
                   "The same tool without what it carries: the object's own mass, centre and inertia")
@@ -339,7 +342,7 @@ Command makeEstimateCommand(CLI::App& root) {
       "  heft estimate grasp.csv --picked-up\n"
       "  heft estimate --each *.bag --jobs 4 --json-lines results.jsonl\n"
       "  heft estimate rec.csv --shape cylinder:0.03,0.15@0,0,0.08 --mass 0.812\n\n"
-      "A fit that is poor, or a number that the motion cannot tell, is a result that says so (exit code 0).");
+      "A poor fit, or a number that the motion does not determine, is reported as such (exit code 0).");
   return {app, [app, options] {
             options->estimate.keepTrim = app->count("--trim") > 0;
             run(*options);

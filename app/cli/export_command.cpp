@@ -83,18 +83,18 @@ Command makeExportCommand(CLI::App& root) {
   app->add_option("RESULT", options->result, "The --json file of 'heft estimate', or a payload in the flange frame")
       ->type_name("")
       ->required();
-  app->add_option("-f,--format", options->format, "Which file to write, see below")->type_name("NAME");
+  app->add_option("-f,--format", options->format, "File format, see below")->type_name("NAME");
   app->add_option("--into", options->into, "Write a copy of this URDF with the payload in it instead, see --link")
       ->type_name("URDF");
   app->add_option("--link", options->link, "The link of --into that carries the payload")->type_name("NAME");
-  app->add_option("-o,--output", options->output, "Where to; otherwise to stdout")->type_name("FILE");
-  app->add_option("--name", options->flange.name, "Name of the tool in formats that carry one")
+  app->add_option("-o,--output", options->output, "Output file; otherwise stdout")->type_name("FILE");
+  app->add_option("--name", options->flange.name, "Name of the tool, in formats that have one")
       ->type_name("NAME")
       ->capture_default_str();
   app->add_option("--parent", options->flange.parentLink,
                   "Put a massless link of this name and a fixed joint above the tool, for --format urdf")
       ->type_name("NAME");
-  app->add_option("--frame", options->flange.sensorFrame, "Name of the sensor's frame in ROS, in formats that carry it")
+  app->add_option("--frame", options->flange.sensorFrame, "Name of the sensor's frame in ROS, in formats that have one")
       ->type_name("NAME");
   app->add_option("--mount", options->mount, "Take the sensor's pose on the flange from this setup file")
       ->type_name("FILE");
@@ -102,7 +102,7 @@ Command makeExportCommand(CLI::App& root) {
   app->add_option("--rpy", options->rpy, "Sensor rotation on the flange, roll,pitch,yaw [rad], fixed axes")
       ->type_name("R,P,Y");
   app->add_option("--tcp", options->tcp,
-                  "Tool centre point on the flange, for the formats that carry it (Franka's tool files)")
+                  "Tool centre point on the flange, in formats that have one (Franka's tool files)")
       ->type_name("X,Y,Z[,R,P,Y]");
   app->add_option("--add", options->add,
                   "Payload JSON in the flange frame of something else that is mounted, such as the\n"
@@ -110,8 +110,7 @@ Command makeExportCommand(CLI::App& root) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   app->add_option("--json", options->json, "Also write payload and findings as JSON; - is stdout")->type_name("FILE");
-  app->add_flag("--force", options->force,
-                "Replace files that exist, and write even what 'heft estimate' does not trust");
+  app->add_flag("--force", options->force, "Overwrite existing files, and write even a payload that is not reliable");
   app->footer("Formats:\n" + formatList() +
               "\nExamples:\n"
               "  heft export result.json --format franka-desk -o tool.json\n"

@@ -43,21 +43,19 @@ void exportFound(ExportModelArguments options) {
 
 Command makeExportModelCommand(CLI::App& root) {
   auto options = std::make_shared<ExportModelArguments>();
-  CLI::App* app = root.add_subcommand("export-model", "Write the rig as a diagnosis found it, for another simulator");
+  CLI::App* app = root.add_subcommand("export-model", "Write the setup as a diagnosis found it, for another simulator");
   app->add_option("FOUND", options->found, "The --json file of 'heft diagnose'")->type_name("")->required();
   app->add_option("--for", options->target,
-                  "mujoco: MJCF; gazebo: SDF 1.9; json: all that is known, for programs of your own")
+                  "mujoco: MJCF; gazebo: SDF 1.9; json: everything that is known, for your own programs")
       ->type_name("NAME")
       ->required();
-  app->add_option("-o,--output", options->output, "Where to; otherwise to stdout")->type_name("FILE");
-  app->add_option("--without", options->model.without, "Switch this cause off; may be given several times")
+  app->add_option("-o,--output", options->output, "Output file; otherwise stdout")->type_name("FILE");
+  app->add_option("--without", options->model.without, "Switch this cause off (repeatable)")
       ->type_name("CAUSE")
       ->expected(1)
       ->take_all();
-  app->add_option("--name", options->model.name, "Name of the body that is carried")
-      ->type_name("NAME")
-      ->capture_default_str();
-  app->add_flag("--force", options->force, "Replace a file that exists");
+  app->add_option("--name", options->model.name, "Name of the carried body")->type_name("NAME")->capture_default_str();
+  app->add_flag("--force", options->force, "Overwrite an existing file");
   app->footer(
       "Examples:\n"
       "  heft diagnose rec.csv --json found.json\n"

@@ -391,7 +391,7 @@ void run(const LiveArguments& options) {
 
 Command makeLiveCommand(CLI::App& root) {
   auto options = std::make_shared<LiveArguments>();
-  CLI::App* app = root.add_subcommand("live", "Estimate while the hand moves, and record");
+  CLI::App* app = root.add_subcommand("live", "Estimate and record while the arm is guided by hand");
   app->add_option("SOURCE", options->sources,
                   "One source with motion and wrench, or one for each:\n"
                   "rtde:HOST[:PORT]  Universal Robots: joints and the raw wrench of the flange's sensor\n"
@@ -400,18 +400,18 @@ Command makeLiveCommand(CLI::App& root) {
                   "rosbridge:HOST[:PORT]  rosbridge\n"
                   "udp:PORT  JSON objects in datagrams, with a CSV's column names\n"
                   "replay:FILE  a recording, in real time\n"
-                  "virtual:SEED  a simulated Panda that moves by itself, to try things without a robot")
+                  "virtual:SEED  a simulated Panda that moves automatically, to try Heft without a robot")
       ->type_name("")
       ->required();
-  app->add_option("--record", options->record, "Write the samples to this CSV as they arrive")->type_name("FILE");
+  app->add_option("--record", options->record, "Write samples to this CSV as they arrive")->type_name("FILE");
   app->add_option("--meta", options->meta, "Setup file: robot, sensor mount, wrench sign, gravity")->type_name("FILE");
   app->add_option("--robot", options->robot, "panda or a URDF, instead of the setup file's")->type_name("ROBOT");
-  app->add_option("--duration", options->duration, "End after so many seconds; otherwise at Ctrl-C")->type_name("S");
+  app->add_option("--duration", options->duration, "Stop after this many seconds; otherwise at Ctrl-C")->type_name("S");
   addConventionChoice(*app, options->conventions);
   app->add_option("--shape", options->shape, "Shape of the tool, as in 'heft estimate'")->type_name("SHAPE");
   app->add_option("--shape-file", options->shapeFile, "Shape as JSON: several bodies, meshes")->type_name("FILE");
   app->add_option("--json", options->json, "Write the final estimate as JSON; - is stdout")->type_name("FILE");
-  app->add_flag("--force", options->force, "Replace a result file that exists");
+  app->add_flag("--force", options->force, "Overwrite an existing result file");
   app->footer(
       "Examples:\n"
       "  heft live replay:rec.csv --duration 5\n"

@@ -77,7 +77,7 @@ void addProof(const PassportArguments& options, const json& result, PassportCont
   const auto text = proofText(content.proof, &now);
   if (!text)
     throw Failed(
-        fmt::format("{} is no proof; make one with heft prove {} REC --json FILE.", options.proof, options.result));
+        fmt::format("{} is not a proof; make one with heft prove {} REC --json FILE.", options.proof, options.result));
   if (text->outdated)
     throw Failed(fmt::format("{} proves other numbers than those in {}; prove these: heft prove {} REC --json FILE.",
                              options.proof, options.result, options.result));
@@ -106,7 +106,8 @@ void makePassport(PassportArguments options) {
 
 Command makePassportCommand(CLI::App& root) {
   auto options = std::make_shared<PassportArguments>();
-  CLI::App* app = root.add_subcommand("passport", "Write a tool's numbers with their proof and what has changed");
+  CLI::App* app =
+      root.add_subcommand("passport", "Write a sheet of a tool's numbers, their proof and what has changed");
   app->add_option("RESULT", options->result, "The --json file of 'heft estimate', or --result of 'heft diagnose'")
       ->type_name("")
       ->required();
@@ -123,7 +124,7 @@ Command makePassportCommand(CLI::App& root) {
       ->type_name("FILE");
   app->add_option("--page", options->page, "Write the page as HTML; - is stdout, instead of the text")
       ->type_name("FILE");
-  app->add_flag("--force", options->force, "Replace files that exist");
+  app->add_flag("--force", options->force, "Overwrite existing files");
   app->footer(
       "Examples:\n"
       "  heft passport result.json --tool \"Gripper 3\" --json gripper.json --page gripper.html\n"

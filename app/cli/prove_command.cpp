@@ -39,7 +39,7 @@ void proveFiles(const ProveArguments& options) {
 
 Command makeProveCommand(CLI::App& root) {
   auto options = std::make_shared<ProveArguments>();
-  CLI::App* app = root.add_subcommand("prove", "Check on a new recording that the payload that was entered is right");
+  CLI::App* app = root.add_subcommand("prove", "Verify with a new recording that the entered payload is right");
   app->add_option("PAYLOAD", options->payload, "JSON from 'heft estimate --json', or a payload JSON in sensor axes")
       ->type_name("")
       ->required();
@@ -51,14 +51,14 @@ Command makeProveCommand(CLI::App& root) {
       ->type_name("FILE");
   app->add_option("--robot", options->robot, "panda or a URDF, instead of the setup file's")->type_name("ROBOT");
   app->add_option("--segments", options->segments, "auto, marks or all, as for 'heft estimate'")->type_name("NAME");
-  app->add_flag("--force", options->force, "Replace files that exist");
+  app->add_flag("--force", options->force, "Overwrite existing files");
   addRecordingOptions(*app, options->import);
   addRateOption(*app, options->import);
   app->footer(
       "Examples:\n"
       "  heft prove result.json check.csv\n"
       "  heft prove result.json check.csv --json proof.json\n\n"
-      "PASS (exit code 0): with the payload taken off, the parts that touch nothing hold the sensor's noise only.\n"
+      "PASS (exit code 0): with the payload subtracted, free segments contain only sensor noise.\n"
       "NOT YET (exit code 1): another mass, centre or inertia, something besides a rigid payload, or a motion that\n"
       "cannot tell; the reason is said. A right payload passes in 99 of 100 recordings.");
   return {app, [options] { proveFiles(*options); }};

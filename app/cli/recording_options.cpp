@@ -15,12 +15,12 @@ void addRecordingOptions(CLI::App& app, ImportOptions& options) {
   app.add_option("--meta", options.metaFile, "Setup file; otherwise the recording's own .meta.json if it exists")
       ->type_name("FILE")
       ->group(kReadingGroup);
-  app.add_option("--join", options.join, "Further file recorded at the same time, such as the wrench; may be repeated")
+  app.add_option("--join", options.join, "Another file recorded at the same time, such as the wrench; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->group(kReadingGroup);
   app.add_option("--use", options.use,
-                 "Topic or column to take, such as wrench=/ft/raw, q1=TOPIC:FIELD; may be repeated.\n"
+                 "Topic or column to use, such as wrench=/ft/raw, q1=TOPIC:FIELD; repeatable.\n"
                  "Groups: joints, velocities, position, quaternion, rotation, wrench; demo: one of several in a file")
       ->type_name("NAME=SOURCE")
       ->allow_extra_args(false)
@@ -32,8 +32,8 @@ void addRecordingOptions(CLI::App& app, ImportOptions& options) {
 
 void addConventionChoice(CLI::App& app, std::string& word) {
   app.add_option("--conventions", word,
-                 "as-stated: the numbers mean what the setup file says; suggested: what physics says\n"
-                 "they mean, where that is plain")
+                 "as-stated: interpret the numbers as the setup file says; suggested: as physics\n"
+                 "suggests, where that is unambiguous")
       ->type_name("NAME")
       ->capture_default_str()
       ->group(kReadingGroup);
@@ -53,7 +53,7 @@ std::optional<SegmentMode> segmentChoice(const std::string& word) {
 }
 
 void addRateOption(CLI::App& app, ImportOptions& options) {
-  app.add_option("--rate", options.rateHz, "Rate of files without a clock: rows are 1/HZ apart, whatever stands there")
+  app.add_option("--rate", options.rateHz, "Rate of files without a time column: rows are 1/HZ apart")
       ->type_name("HZ")
       ->check(CLI::Range(1e-3, 1e6))
       ->group("Reading the recording");

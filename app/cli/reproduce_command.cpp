@@ -38,7 +38,7 @@ void run(ReproduceArguments options) {
     std::error_code ec;
     std::filesystem::create_directories(folder, ec);
     if (ec || !std::filesystem::is_directory(folder))
-      throw Failed(fmt::format("The folder {} for the plots cannot be made{}; name another one.", options.plots,
+      throw Failed(fmt::format("The folder {} for the plots cannot be created{}; name another one.", options.plots,
                                ec ? ": " + ec.message() : std::string(": a file has that name")));
     for (const auto file : chartFiles()) requireWritable(folder / file, overwrite);
   }
@@ -62,15 +62,13 @@ Command makeReproduceCommand(CLI::App& root) {
       ->type_name("N")
       ->capture_default_str();
   app->add_option("--recordings", options->reproduce.repeats,
-                  "How often the paper's five recordings are made, with other seeds")
+                  "How often the paper's five recordings are simulated, with different seeds")
       ->type_name("K")
       ->capture_default_str();
   app->add_flag("--uncompressed", options->reproduce.uncompressed,
-                "Also time every method on all rows instead of the triangle they reduce to");
+                "Also time every method on all rows instead of the QR-reduced system");
   app->add_option("-f,--format", options->format, "text, csv or markdown")->type_name("NAME")->capture_default_str();
-  app->add_option("-o,--output", options->output, "Where to write it; - is stdout")
-      ->type_name("FILE")
-      ->capture_default_str();
+  app->add_option("-o,--output", options->output, "Output file; - is stdout")->type_name("FILE")->capture_default_str();
   app->add_option("--plots", options->plots, "Also write bar charts as SVG into this folder")->type_name("FOLDER");
   app->add_option("--json", options->json, "Also write all numbers as JSON; - is stdout, instead of the text")
       ->type_name("FILE");

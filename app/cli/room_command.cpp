@@ -43,7 +43,7 @@ void writeTouched(const RoomArguments& options) {
   if (touched.planes.empty()) {
     printFindings(touched.findings, true);
     throw Failed(
-        fmt::format("{} holds no touch that tells a plane. Press the tool against each wall or table and hold "
+        fmt::format("{} contains no contact that defines a plane. Press the tool against each wall or table and hold "
                     "it for a second, with free motion between.",
                     input.recording.file));
   }
@@ -83,11 +83,11 @@ Command makeRoomCommand(CLI::App& root) {
   app->add_option("-o,--output", options->output, "Room to write (heft.room/1); - is stdout")
       ->type_name("FILE")
       ->required();
-  app->add_option("--margin", options->margin, "That motions keep from everything [m]")
+  app->add_option("--margin", options->margin, "Distance that motions keep from everything [m]")
       ->type_name("M")
       ->capture_default_str();
   app->add_option("--robot", options->robot, "panda or a URDF, instead of the setup file's")->type_name("ROBOT");
-  app->add_flag("--force", options->force, "Replace a file that exists");
+  app->add_flag("--force", options->force, "Overwrite an existing file");
   addRecordingOptions(*app, options->import);
   addRateOption(*app, options->import);
   app->footer(

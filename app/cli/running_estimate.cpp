@@ -66,8 +66,7 @@ void RunningEstimate::add(const LiveSample& read) {
 
 std::string RunningEstimate::line() const {
   const OnlineState& state = impl_->estimator.state();
-  if (const auto* out = impl_->watch.report())
-    return fmt::format("{:6.1f} s  no weight: {}", state.time, out->sentence);
+  if (const auto* out = impl_->watch.report()) return fmt::format("{:6.1f} s  no mass: {}", state.time, out->sentence);
   if (!state.estimated) return fmt::format("{:6.1f} s  moving and measuring ...", state.time);
   const auto& com = state.payload.com;
   const auto& mass = state.interval95.mass;

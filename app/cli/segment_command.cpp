@@ -46,7 +46,7 @@ void run(const SegmentArguments& options) {
 
 Command makeSegmentCommand(CLI::App& root) {
   auto options = std::make_shared<SegmentArguments>();
-  CLI::App* app = root.add_subcommand("segment", "Find the free parts of a recording, contact and other events");
+  CLI::App* app = root.add_subcommand("segment", "Find free segments, contact and other events in a recording");
   app->add_option("RECORDING", options->recording,
                   "CSV with time, motion and wrench columns, SI units; or ROS bag, MCAP, HDF5, ...")
       ->type_name("")
@@ -59,7 +59,7 @@ Command makeSegmentCommand(CLI::App& root) {
   app->add_option("--segments", options->segments, "auto: look for contact, marks win; marks: only what is marked")
       ->type_name("NAME")
       ->capture_default_str();
-  app->add_flag("--force", options->force, "Replace files that exist");
+  app->add_flag("--force", options->force, "Overwrite existing files");
   addRecordingOptions(*app, options->import);
   addRateOption(*app, options->import);
   app->footer(

@@ -150,7 +150,7 @@ void requireTorques(const Simulated& simulated, double rateHz) {
   limits.payload = simulated.truth.payload;
   if (const TorqueUse use = torqueUse(tool, motion, limits); use.share > 1.0)
     throw Failed(
-        fmt::format("The arm cannot make this motion with this load: {} A lighter --payload or a smaller "
+        fmt::format("The arm cannot perform this motion with this load: {} A lighter --payload or a smaller "
                     "--speed takes less.",
                     use.sentence()));
 }
@@ -238,8 +238,8 @@ void run(SimulateArguments options) {
                   kTitles[motion], options.simulate.rateHz, options.simulate.seed);
   text += motionWords + causes;
   if (options.payload.empty() && options.like.file.empty())
-    text += fmt::format("  carries the built-in tool of {:.2f} kg\n", payload.mass);
-  if (!options.truth.empty()) text += fmt::format("  the truth is in {}\n", options.truth);
+    text += fmt::format("  payload: built-in {:.2f} kg tool\n", payload.mass);
+  if (!options.truth.empty()) text += fmt::format("  ground truth: {}\n", options.truth);
   print(text);
 }
 
@@ -248,17 +248,17 @@ void run(SimulateArguments options) {
 Command makeSimulateCommand(CLI::App& root) {
   auto options = std::make_shared<SimulateArguments>();
   auto& simulate = options->simulate;
-  CLI::App* app = root.add_subcommand("simulate", "Make a recording with a simulated Panda and sensor");
+  CLI::App* app = root.add_subcommand("simulate", "Simulate a recording of a Panda and its sensor");
   app->add_option("-m,--motion", options->motion,
                   "excitation: superposed sines inside all limits; pick-and-place: with contact phases;\n"
                   "free: hand guiding with tremor")
       ->type_name("NAME");
-  const char* const kLikeGroup = "Like a rig that was diagnosed";
+  const char* const kLikeGroup = "Like a diagnosed setup";
   app->add_option("--like", options->like.file,
                   "JSON from 'heft diagnose --json': its payload, bias and causes, on this motion (free if absent)")
       ->type_name("FOUND")
       ->group(kLikeGroup);
-  app->add_option("--without", options->like.without, "Switch this cause off; may be given several times")
+  app->add_option("--without", options->like.without, "Switch this cause off (repeatable)")
       ->type_name("CAUSE")
       ->expected(1)
       ->take_all()
@@ -274,7 +274,7 @@ Command makeSimulateCommand(CLI::App& root) {
       ->type_name("N")
       ->capture_default_str();
   app->add_option("--duration", simulate.duration, "Length [s]")->type_name("S")->capture_default_str();
-  app->add_option("--rate", simulate.rateHz, "Samples a second [Hz]")->type_name("HZ")->capture_default_str();
+  app->add_option("--rate", simulate.rateHz, "Samples per second [Hz]")->type_name("HZ")->capture_default_str();
   app->add_option("--speed", simulate.speed, "How fast the arm moves: 1 brisk hand guiding, 0.3 slow")
       ->type_name("FACTOR")
       ->capture_default_str();
@@ -296,8 +296,8 @@ Command makeSimulateCommand(CLI::App& root) {
       ->type_name("R,P,Y");
   addClearanceOptions(*app, options->clearance);
   app->add_option("--effect", options->effects,
-                  "Hide a fault of the rig: ID=SIZE or ID/FORM=SIZE (cable_pull=3, time_offset=-8,\n"
-                  "low_pass_lag/second-order=15); may be given several times; see --list-effects")
+                  "Inject a fault: ID=SIZE or ID/FORM=SIZE (cable_pull=3, time_offset=-8,\n"
+                  "low_pass_lag/second-order=15); repeatable; see --list-effects")
       ->type_name("ID=SIZE")
       ->expected(1)
       ->take_all();
@@ -310,9 +310,10 @@ Command makeSimulateCommand(CLI::App& root) {
       "Show every effect, what its size means and its forms");
   app->add_option("--truth", options->truth, "Write the hidden payload, biases, marks and effects to this file")
       ->type_name("FILE");
-  app->add_option("--json", options->json, "Also write what was made as JSON; - is stdout")->type_name("FILE");
+  app->add_option("--json", options->json, "Also write the recording's description as JSON; - is stdout")
+      ->type_name("FILE");
   app->add_flag("--force", options->force,
-                "Replace a recording that was not simulated, or a setup file that was changed");
+                "Overwrite a recording that was not simulated, or a setup file that was changed");
   app->footer(
       "Examples:\n"
       "  heft simulate --motion excitation --seed 1 -o rec.csv --truth truth.json\n"

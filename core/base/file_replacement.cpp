@@ -127,7 +127,8 @@ Result<bool> FileReplacement::commit() {
 
 Result<bool> createTextFile(const std::filesystem::path& path, std::string_view text) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0 && errno == EEXIST) return Error{heft::say("{} exists and was not replaced.", displayName(path))};
+  if (descriptor < 0 && errno == EEXIST)
+    return Error{heft::say("{} already exists and was not overwritten.", displayName(path))};
   if (descriptor < 0) return cannotBeWritten(path, errno);
   int reason = writeAll(descriptor, text);
   if (reason == 0) reason = flushToDisk(descriptor);

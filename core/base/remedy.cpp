@@ -38,13 +38,13 @@ std::string onCommandLine(Remedy way, const std::string& subject) {
       return heft::say(
           "Set sensor.wrench_sign in the setup file to the other convention (sensor_on_payload or payload_on_sensor).");
     case Remedy::turnGravity:
-      return heft::say("Turn gravity_m_s2 round in the setup file.");
+      return heft::say("Reverse gravity_m_s2 in the setup file.");
     case Remedy::correctMount:
       return heft::say("Correct sensor.mount.rpy_rad in the setup file.");
     case Remedy::sayStandingPoses:
       return heft::say("For standing poses write \"kind\": \"poses\" into the setup file.");
     case Remedy::keepEndsOut:
-      return heft::say("Give --trim to keep them out.");
+      return heft::say("Use --trim to exclude them.");
     case Remedy::giveCentre:
       return heft::say("Give it with --known to hold it fixed.");
     case Remedy::readSo:

@@ -111,7 +111,7 @@ Candidate refined(Candidate best, const Triangle& next, const TurnPlace& place, 
 
 std::string noRoom(const Conflict& conflict) {
   return heft::say(
-      "No motion from this posture stays clear of everything: {} Bring the arm to where there is more room.",
+      "No motion from this posture stays clear of everything: {} Move the arm to where there is more room.",
       conflict.sentence());
 }
 
@@ -196,9 +196,9 @@ Result<Advice> advise(const std::optional<OnlineInformation>& information, const
   std::optional<Advice> best = information ? bestOf({tool, *information, options, before, want}, place, refusal)
                                            : firstOf(place, options, refusal);
   if (!best)
-    return whyNot(refusal,
-                  heft::say("No motion from this posture keeps all limits. Bring the arm into the middle of its "
-                            "joints' ranges first."));
+    return whyNot(
+        refusal,
+        heft::say("No motion from this posture stays within all limits. Bring the joints to mid-range first."));
   best->about = want;
   best->before = before;
   if (information) best->gain = gainWords(want, before, best->after);
@@ -215,8 +215,7 @@ Result<Advice> namedMotion(std::string_view id, const GuidedTool& tool, const Ve
   TurnRefusal refusal;
   auto turn = fitted(*kind, {&tool, toolAxes(std::nullopt), Vector3d::Zero(), q}, options, 1.0, refusal);
   if (!turn)
-    return whyNot(refusal, heft::say("This motion does not keep the limits from here. Bring the arm into the middle of "
-                                     "its joints' ranges."));
+    return whyNot(refusal, heft::say("This motion exceeds the limits from here. Bring the joints to mid-range first."));
   Advice advice = std::move(turn->advice);
   advice.target = furthest(tool, advice.motion);
   return advice;

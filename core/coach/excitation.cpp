@@ -231,7 +231,8 @@ Result<ExcitedMotion> excite(const Recording& recording, const GuidedTool& given
   }
   if (out.free.empty())
     return Error{
-        fmt::format("No free part of the demonstration is at least {} s long: there is no room for sines.", kShortest)};
+        fmt::format("No free part of the demonstration is at least {} s long: there is no room for added sine motions.",
+                    kShortest)};
 
   const auto waves = wavesFor(*tool.robot, options);
   // Elsewhere the task touches something on purpose.
@@ -242,8 +243,8 @@ Result<ExcitedMotion> excite(const Recording& recording, const GuidedTool& given
     return std::nullopt;
   };
   if (const auto conflict = conflictIn(out.taught))
-    return Error{
-        heft::say("The taught path itself, where it is free, leaves no room for sines: {}", conflict->sentence())};
+    return Error{heft::say("The taught path leaves no room for added sine motions, even where it is free: {}",
+                           conflict->sentence())};
   const auto within = [&](double scale) {
     const JointMotion motion = withSines(out.taught, out.free, waves, scale);
     return limitUse(tool, motion, options.limits).kept() && !conflictIn(motion) &&

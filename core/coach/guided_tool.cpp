@@ -33,8 +33,8 @@ std::string LimitUse::worst() const {
 }
 
 std::string TorqueUse::sentence() const {
-  return heft::say("Joint {} would need {:.1f} of the {:.1f} N m that it may give, {:.1f} s into the motion.", joint,
-                   needed, allowed, time);
+  return heft::say("Joint {} would need {:.1f} N m of the allowed {:.1f} N m, {:.1f} s into the motion.", joint, needed,
+                   allowed, time);
 }
 
 TorqueUse torqueUse(const GuidedTool& tool, const JointMotion& motion, const MotionLimits& limits) {

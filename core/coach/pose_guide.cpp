@@ -167,7 +167,7 @@ void PoseGuide::judge() {
       if (apart >= options_.closest) continue;
       poses_[i].light = PoseLight::tooClose;
       poses_[i].words =
-          fmt::format("Too close to pose {} ({:.0f} degrees apart): tilt the tool further.", j + 1, apart);
+          fmt::format("Too similar to pose {} ({:.0f} degrees apart): tilt the tool further.", j + 1, apart);
     }
 
   const auto sdOf = [this](const StandingPose& pose) -> Vector6d {
@@ -218,7 +218,7 @@ void PoseGuide::judge() {
     p.misfit = (p.pose.wrench - rowsFor(gravityIn(p.pose)) * fit.x).head<3>().norm();
     if (p.light == PoseLight::contact)
       p.words =
-          fmt::format("The force is {:.1f} N off what the other poses say: something touched the tool.", p.misfit);
+          fmt::format("The force differs by {:.1f} N from the other poses: something touched the tool.", p.misfit);
   }
 
   result_ = PoseResult();

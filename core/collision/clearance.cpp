@@ -297,12 +297,13 @@ Result<Clearance> Clearance::of(const RobotModel& robot, const HeldTool& tool, c
       impl->pairs.push_back(std::move(pair));
     }
   if (!coarse.empty())
-    findings.push_back({Severity::info,
-                        "too_coarse_to_part",
-                        heft::say("Not judged against each other, as they are as near in the home posture: {}.",
-                                  joined({coarse.begin(), coarse.end()})),
-                        {},
-                        {}});
+    findings.push_back(
+        {Severity::info,
+         "too_coarse_to_part",
+         heft::say("Not checked against each other, since they are just as close in the home posture: {}.",
+                   joined({coarse.begin(), coarse.end()})),
+         {},
+         {}});
   return Clearance(std::move(impl));
 }
 

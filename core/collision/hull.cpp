@@ -66,7 +66,7 @@ Eigen::Matrix3Xd boxCorners(const Vector3d& size) {
 }
 
 Result<ConvexHull> convexHull(const Eigen::Matrix3Xd& points) {
-  if (points.cols() == 0) return Error{heft::say("There is no point to make a hull of.")};
+  if (points.cols() == 0) return Error{heft::say("There are no points to build a hull from.")};
   Eigen::Matrix3Xd given = thickened(points);
   const std::unique_ptr<FILE, int (*)(FILE*)> silent(std::fopen("/dev/null", "w"), &std::fclose);
   Qhull hull;

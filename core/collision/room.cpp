@@ -70,7 +70,7 @@ Result<RoomMesh> readMesh(const json& object, const std::string& where, const st
 
 Result<Obstacle> readObstacle(const json& object, const std::string& where, const std::filesystem::path& folder) {
   Obstacle out;
-  if (!object.is_object()) return Error{heft::say("{} is no object.", where)};
+  if (!object.is_object()) return Error{heft::say("{} is not an object.", where)};
   out.name = object.value("name", json()).is_string() ? printable(object["name"].get<std::string>()) : "";
   if (out.name.empty()) return Error{heft::say("{} needs a \"name\", by which it is called in messages.", where)};
   std::vector<std::string> kinds;
@@ -89,13 +89,13 @@ Result<Obstacle> readObstacle(const json& object, const std::string& where, cons
   if (kinds.front() == "plane") {
     RoomPlane plane{reader.vector("point_m"), reader.vector("normal")};
     if (!reader.error && !(plane.normal.norm() > 1e-6))
-      return Error{heft::say("{}: the normal has no direction.", where)};
+      return Error{heft::say("{}: the normal vector is zero.", where)};
     plane.normal.normalize();
     out.body = plane;
   } else {
     RoomBox box{reader.vector("size_m"), reader.pose()};
     if (!reader.error && !(box.size.minCoeff() > 0.0))
-      return Error{heft::say("{}: the edges of a box are above zero.", where)};
+      return Error{heft::say("{}: the edges of a box must be above zero.", where)};
     out.body = box;
   }
   if (reader.error) return *reader.error;
@@ -109,7 +109,7 @@ json listOf(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 Result<Room> roomFromJson(const json& content, const std::string& where, const std::filesystem::path& folder) {
   if (!content.is_object() || content.value("schema", json()) != "heft.room/1" || !content.contains("obstacles") ||
       !content["obstacles"].is_array())
-    return Error{heft::say("{} is no room: expected {{\"schema\": \"heft.room/1\", \"obstacles\": [...]}}.", where)};
+    return Error{heft::say("{} is not a room: expected {{\"schema\": \"heft.room/1\", \"obstacles\": [...]}}.", where)};
   Room room;
   if (content.contains("margin_m")) {
     const json& margin = content["margin_m"];

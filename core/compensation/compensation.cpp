@@ -88,13 +88,13 @@ void chooseBias(const CompensateOptions& options, Compensated& out) {
     out.ownBias = true;
     for (int c = 0; c < 6; ++c) out.bias(c) = median(free[static_cast<std::size_t>(c)]);
   } else {
-    out.findings.push_back({Severity::warning,
-                            "bias_of_result",
-                            heft::say("Only {:.1f} s touch nothing, so the result's bias is taken off; it may be that "
-                                      "of another day.",
-                                      seconds),
-                            heft::say("Record a second of free motion before the contact."),
-                            {}});
+    out.findings.push_back(
+        {Severity::warning,
+         "bias_of_result",
+         heft::say("Only {:.1f} s are free of contact, so the bias of the result is subtracted; it may be out of date.",
+                   seconds),
+         heft::say("Record a second of free motion before the contact."),
+         {}});
   }
 }
 
@@ -143,14 +143,13 @@ Result<Compensated> compensate(const Recording& recording, const RobotModel* rob
   out.noiseForce = scatter(out.wrench, 0);
   out.noiseTorque = scatter(out.wrench, 3);
   if (count > 0.0 && out.freeForceRms > 3.0 * out.noiseForce && out.freeForceRms > 0.05)
-    out.findings.push_back(
-        {Severity::warning,
-         "above_noise",
-         heft::say("In free motion {:.2g} N remain, where the sensor's own scatter is {:.2g} N: the payload is not "
-                   "that of this recording, or something else is at work.",
-                   out.freeForceRms, out.noiseForce),
-         heft::say("Estimate the payload from this recording, or diagnose it."),
-         {}});
+    out.findings.push_back({Severity::warning,
+                            "above_noise",
+                            heft::say("In free motion {:.2g} N remain, but the sensor noise is only {:.2g} N: this is "
+                                      "not the payload of this recording, or something else acts on the tool.",
+                                      out.freeForceRms, out.noiseForce),
+                            heft::say("Estimate the payload from this recording, or diagnose it."),
+                            {}});
   return out;
 }
 
@@ -168,7 +167,7 @@ Result<CompensateOptions> compensateOptionsFromJson(const nlohmann::json& result
       return Error{fmt::format("{}: \"bias\" needs \"{}\" with three numbers.", where, key)};
     for (const auto& value : *part) {
       if (!value.is_number() || !std::isfinite(value.get<double>()))
-        return Error{fmt::format("{}: \"{}\" of \"bias\" holds something that is no number.", where, key)};
+        return Error{fmt::format("{}: \"{}\" of \"bias\" holds something that is not a number.", where, key)};
       options.bias(at++) = value.get<double>();
     }
   }

@@ -31,7 +31,7 @@ struct Numbers {
 
 Result<Numbers> numbersOf(const json& passport, const std::string& where) {
   if (!passport.is_object() || textOf(passport, "schema") != kSchema)
-    return Error{heft::say("{} is no passport: its \"schema\" should be \"{}\".", where, kSchema)};
+    return Error{heft::say("{} is not a passport: its \"schema\" should be \"{}\".", where, kSchema)};
   auto payload = payloadFromJson(passport.value("payload", json()), where);
   if (!payload) return payload.error();
   auto std = payloadFromJson(passport.value("std", json()), where);
@@ -75,7 +75,7 @@ std::vector<PassportNumber> passportNumbers(const json& passport) {
 Result<json> passportOf(const PassportContent& content, const json& estimate, const std::string& where) {
   if (content.tool.empty()) return Error{heft::say("A passport needs the tool's name.")};
   const auto incomplete = [&] {
-    return Error{heft::say("{} is no result of an estimate; make one with heft estimate REC --json FILE.", where)};
+    return Error{heft::say("{} is not a result of an estimate; make one with heft estimate REC --json FILE.", where)};
   };
   if (!estimate.is_object() || textOf(estimate, "schema") != "heft.estimate/1") return incomplete();
   if (textOf(estimate, "trust") == toString(Trust::none))

@@ -77,7 +77,7 @@ std::string numbersPart(const json& passport, const PageUnits& units) {
   for (const auto& n : numbers)
     if (n.quantity.starts_with("inertia_")) largest = std::max(largest, std::abs(n.value));
   const PageUnits::Unit inertia = inertiaUnit(largest);
-  std::string rows = row({heft::say("Number"), heft::say("Value"), heft::say("95 %"), heft::say("Known from")}, true);
+  std::string rows = row({heft::say("Number"), heft::say("Value"), heft::say("95 %"), heft::say("Source")}, true);
   for (const auto& n : numbers) {
     const Shown shown = shownAs(n.quantity, units, inertia);
     const double half = 0.5 * (n.upper - n.lower) * shown.unit.scale;
@@ -107,8 +107,8 @@ std::string provedPart(const json& passport, const PageUnits& units) {
 
 std::string causeSentenceOf(const json& cause) {
   return textIn(cause, "sentence") + " " +
-         (cause.value("applied", false) ? heft::say("It is taken out of the numbers.")
-                                        : heft::say("It is not taken out of the numbers."));
+         (cause.value("applied", false) ? heft::say("The numbers are corrected for it.")
+                                        : heft::say("The numbers are not corrected for it."));
 }
 
 std::string causesPart(const json& passport) {
@@ -119,7 +119,7 @@ std::string causesPart(const json& passport) {
   for (const json& cause : causes) out += paragraph(causeSentenceOf(cause));
   std::vector<std::string> unseen;
   for (const json& phrase : passport.value("not_seen", json::array())) unseen.push_back(phrase.get<std::string>());
-  if (!unseen.empty()) out += paragraph(heft::say("Could not have been seen: {}.", joined(unseen)));
+  if (!unseen.empty()) out += paragraph(heft::say("Not detectable in this recording: {}.", joined(unseen)));
   return out;
 }
 
@@ -135,7 +135,7 @@ std::string changePart(const json& passport, const PageUnits& units) {
   std::string out = heading(heft::say("Since the passport of {}", textIn(since, "date")));
   out += paragraph(verdictOfChange(since));
   if (since.value("other_mount", false))
-    out += paragraph(heft::say("The sensor’s mount is stated otherwise, so the mass alone is compared."));
+    out += paragraph(heft::say("The sensor’s mount is stated differently, so only the mass is compared."));
   std::string rows =
       row({heft::say("Number"), heft::say("Before"), heft::say("Now"), heft::say("Difference"), ""}, true);
   for (const json& each : since["numbers"]) {
@@ -157,7 +157,7 @@ std::string origin(const json& passport) {
                    printable(file.filename().string(), 200));
 }
 
-std::string lowTrust() { return heft::say("These numbers deserve little trust; see the result’s warnings."); }
+std::string lowTrust() { return heft::say("These numbers are not reliable; see the result’s warnings."); }
 
 }  // namespace
 

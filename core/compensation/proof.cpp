@@ -89,7 +89,7 @@ void sayWhyItCannotTell(Proof& proof) {
                                              proof.smallestMass, 1e3 * proof.smallestCentre)
                                  : heft::say("Neither mass nor centre of mass can be checked with this recording."),
        wide ? heft::say("The payload's own interval is too wide: estimate it from a better motion first.")
-            : heft::say("Guide the tool for ten seconds and tilt it to all sides, touching nothing."),
+            : heft::say("Guide the tool for ten seconds and tilt it in all directions without touching anything."),
        {}});
 }
 

@@ -52,7 +52,7 @@ std::string toText(const Proof& proof) {
   std::string text;
   switch (proof.verdict) {
     case ProofVerdict::pass:
-      text = heft::say("PASS. With this payload taken off, only the sensor's noise is left.");
+      text = heft::say("PASS. With this payload subtracted, only sensor noise remains.");
       break;
     case ProofVerdict::notYet:
       text = heft::say("NOT YET.");
@@ -68,12 +68,10 @@ std::string toText(const Proof& proof) {
   if (proof.own.trust == Trust::none) return text;
   text += fmt::format("  This recording by itself: {:.3f} +- {:.2g} kg, {:.1f} s used\n", proof.own.payload.mass,
                       1.96 * proof.own.std.mass, proof.own.usedDuration);
-  text += fmt::format(
-      "  Left over in free motion: {:.3f} N and {:.4f} N m; the sensor's own scatter is {:.3f} N and "
-      "{:.4f} N m\n",
-      meanOf(proof.left, 0), meanOf(proof.left, 3), meanOf(proof.noise, 0), meanOf(proof.noise, 3));
+  text += fmt::format("  Residual in free motion: {:.3f} N and {:.4f} N m; sensor noise: {:.3f} N and {:.4f} N m\n",
+                      meanOf(proof.left, 0), meanOf(proof.left, 3), meanOf(proof.noise, 0), meanOf(proof.noise, 3));
   if (proof.verdict != ProofVerdict::cannotTell)
-    text += fmt::format("  An error of {:.3f} kg or {:.1f} mm would show.\n", proof.smallestMass,
+    text += fmt::format("  An error of {:.3f} kg or {:.1f} mm would be detected.\n", proof.smallestMass,
                         1e3 * proof.smallestCentre);
   return text;
 }

@@ -51,13 +51,13 @@ std::vector<std::string> factsOf(const json& proof, bool passed, const PageUnits
   const json left = at(proof, "left_rms"), noise = at(proof, "noise_rms");
   const double force = meanOf(left, "force_n"), torque = meanOf(left, "torque_nm");
   if (std::isfinite(force) && std::isfinite(torque) && force > 0.0)
-    out.push_back(heft::say("Left over in free motion: {} N and {}; the sensor’s own scatter is {} N and {}.",
-                            sayNumber(force, 3), shown(torque, 4, units.torque), sayNumber(meanOf(noise, "force_n"), 3),
+    out.push_back(heft::say("Residual in free motion: {} N and {}; sensor noise: {} N and {}.", sayNumber(force, 3),
+                            shown(torque, 4, units.torque), sayNumber(meanOf(noise, "force_n"), 3),
                             shown(meanOf(noise, "torque_nm"), 4, units.torque)));
   const json seen = at(proof, "would_see");
   const double mass = numberAt(seen, "mass_kg"), centre = numberAt(seen, "com_m");
   if (passed && std::isfinite(mass) && std::isfinite(centre))
-    out.push_back(heft::say("An error of {} or {} would have shown.", shown(mass, 3, units.mass),
+    out.push_back(heft::say("An error of {} or {} would have been detected.", shown(mass, 3, units.mass),
                             shown(centre, 1, units.length)));
   return out;
 }
@@ -69,7 +69,7 @@ std::optional<ProofText> proofText(const json& proof, const Payload* now, const 
   ProofText out;
   const std::string verdict = textAt(proof, "verdict");
   out.passed = verdict == "pass";
-  out.headline = out.passed ? heft::say("PASS: with these numbers taken off, only the sensor’s noise is left.")
+  out.headline = out.passed             ? heft::say("PASS: with these numbers subtracted, only sensor noise remains.")
                  : verdict == "not_yet" ? heft::say("NOT YET")
                                         : heft::say("NOT YET: this recording is not sufficient.");
   const json reasons = at(proof, "reasons");

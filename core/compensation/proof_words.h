@@ -21,7 +21,7 @@ struct PageUnits {
 
 struct ProofText {
   bool passed = false;
-  std::string headline;  ///< "PASS: with these numbers taken off, only the sensor’s noise is left."
+  std::string headline;  ///< "PASS: with these numbers subtracted, only sensor noise remains."
   struct Reason {
     std::string text, remedy;
   };

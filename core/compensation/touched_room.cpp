@@ -71,7 +71,7 @@ std::vector<Vector3d> endsOf(const Touch& touch, const Eigen::Matrix3Xd& tool, c
 /// The plane that a touch tells, or why it tells none. What presses is the normal's and friction's, and friction is
 /// along the way that the tool slides.
 Result<TouchedPlane> planeOf(const Touch& touch, const Eigen::Matrix3Xd& tool) {
-  if (touch.force.empty()) return Error{heft::say("it presses with less than {:.0f} N", kLeastForce)};
+  if (touch.force.empty()) return Error{heft::say("it is pressed with less than {:.0f} N", kLeastForce)};
   Vector3d normal = Vector3d::Zero();
   for (const Vector3d& force : touch.force) normal += force;
   normal.normalize();
@@ -106,7 +106,7 @@ Result<TouchedPlane> planeOf(const Touch& touch, const Eigen::Matrix3Xd& tool) {
   out.plane = {place + (median(heights) - normal.dot(place)) * normal, normal};
   out.when = {{touch.from, touch.to}};
   if (out.normalSpread > kSteadyDirection)
-    return Error{heft::say("the direction of the force wanders by {:.0f} degrees", out.normalSpread / kRadPerDegree)};
+    return Error{heft::say("the direction of the force varies by {:.0f} degrees", out.normalSpread / kRadPerDegree)};
   if (out.offsetSpread > kSteadyPlace)
     return Error{heft::say("it moves by {:.0f} mm while it is pressed", 1e3 * out.offsetSpread)};
   return out;

@@ -44,7 +44,7 @@ void addPointBesideOther(Report& report) {
   report.cautions.push_back(
       {Severity::warning,
        "point_unsure",
-       heft::say("Something else is in the readings, too. The point that the torque is about, and the centre of mass "
+       heft::say("Something else affects the readings, too. The reference point of the torque, and the centre of mass "
                  "with it, may be off by as much as {:.0f} mm.",
                  1e3 * off),
        heft::say("Ask the controller's manual for the point, and state it as wrench_point in the setup file."),
@@ -63,22 +63,21 @@ void addFreeUnsure(Report& report) {
   if (ofPoint) addPointBesideOther(report);
   if (ofCentre < kCentre && massStd < kMass) return;
   report.cautions.push_back(
-      ofPoint
-          ? Finding{Severity::warning,
-                    "point_unsure",
-                    heft::say("This recording shows the point that the torque is about only to +- {:.0f} mm, and the "
-                              "centre of mass as well.",
-                              1e3 * kInterval * ofCentre),
-                    heft::say("State wrench_point in the setup file, or record a motion with brisk turns."),
-                    {}}
-          : Finding{Severity::warning,
-                    "turn_unsure",
-                    heft::say("This recording shows how the sensor or the robot's base is turned only to +- {:.1f} "
-                              "degrees. That alone may move the centre of mass by {:.0f} mm.",
-                              kInterval * report.turnStd * 180.0 / std::numbers::pi, 1e3 * kInterval * ofCentre),
-                    heft::say("State the mount and gravity in the setup file, or record a motion that tilts and turns "
-                              "the tool more."),
-                    {}});
+      ofPoint ? Finding{Severity::warning,
+                        "point_unsure",
+                        heft::say("This recording determines the reference point of the torque, and with it the centre "
+                                  "of mass, only to +- {:.0f} mm.",
+                                  1e3 * kInterval * ofCentre),
+                        heft::say("State wrench_point in the setup file, or record a motion with brisk turns."),
+                        {}}
+              : Finding{Severity::warning,
+                        "turn_unsure",
+                        heft::say("This recording determines the orientation of the sensor or the robot's base only to "
+                                  "+- {:.1f} degrees. That alone may shift the centre of mass by {:.0f} mm.",
+                                  kInterval * report.turnStd * 180.0 / std::numbers::pi, 1e3 * kInterval * ofCentre),
+                        heft::say("State the mount and gravity in the setup file, or record a motion that tilts and "
+                                  "rotates the tool more."),
+                        {}});
 }
 
 /// What bends mass and centre although the numbers mean what is stated.
@@ -126,7 +125,7 @@ void putIntoWords(const Question& question, Report& report) {
     report.cautions.push_back(
         {Severity::warning,
          "nearly_tied",
-         heft::say("The evidence is weak: nearly as well fits another reading. {}", report.next->sentence),
+         heft::say("The evidence is weak: another interpretation fits nearly as well. {}", report.next->sentence),
          standing ? heft::say("Record more poses, tilted to all sides.")
                   : heft::say("Record a longer motion that tilts and turns the tool."),
          {}});

@@ -185,7 +185,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   out.file = recording.file;
   out.meta = recording.meta;
   out.ofPoses = recording.hasOrientation();
-  progress(0.02, heft::say("Looking at single readings"));
+  progress(0.02, heft::say("Checking individual readings"));
   auto readings = readingsOf(recording, robot, options);
   if (!readings) return readings.error();
   auto found = searched(readings->stated, *readings, robot, options, progress);
@@ -197,7 +197,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   out.threshold = found->threshold;
   out.surrogates = static_cast<int>(found->chance.best.size());
 
-  progress(0.85, heft::say("Measuring the gain on held-out segments"));
+  progress(0.85, heft::say("Measuring the improvement on held-out segments"));
   Confirmed fitted = confirmed(hypothesis, found->chance, readings->steps, readings->have(ids::dropouts));
   const ByReadings by =
       byReadings(*readings, hypothesis, rmsOf(hypothesis.stretches, hypothesis.search.final.residual));
@@ -219,7 +219,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   if (auto error = estimateAgain(out, recording, readings->cleaned, robot, hypothesis, options.estimate,
                                  Progress{progress.stop, {}}))
     return *error;
-  progress(0.97, heft::say("Working out what would have been seen"));
+  progress(0.97, heft::say("Computing detection limits"));
   out.model = hypothesis.search.final.model;
   out.smallest = smallestVisible(hypothesis, out.causes, std::max(kNamed, out.threshold));
   setSeries(hypothesis, fitted, out.series);

@@ -55,7 +55,7 @@ bool FrameMistake::has(Change change) const { return std::ranges::find(changes, 
 
 std::string FrameMistake::sentence() const {
   if (positionsKept && only(Change::poseInverted))
-    return heft::say("Orientations are stored the other way round: base in sensor instead of sensor in base.");
+    return heft::say("Orientations are stored inverted: base in sensor instead of sensor in base.");
   return conventions::sentence(stated, reading);
 }
 

@@ -299,7 +299,7 @@ Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotMod
   if (!read) return read.error();
   out.mistake = read->mistake;
 
-  progress(0.2, heft::say("Trying causes"));
+  progress(0.2, heft::say("Testing causes"));
   std::vector<std::string> hidden = options.hidden;
   if (out.mistake && out.mistake->has(conventions::Change::turned)) hidden.emplace_back(ids::jointOffset);
   PoseSearch search = searchPoses(read->poses, hidden, progress);

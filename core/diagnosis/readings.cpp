@@ -115,7 +115,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   if (const auto channel = stuckChannel(facts.coarse))
     return Error{
         heft::say("{} stays the same in nearly all rows: it was not measured, or a threshold in the sensor's driver "
-                  "hides what is small. Mend that and record once more.",
+                  "hides small values. Fix that and record again.",
                   channelName(*channel))};
   Readings out;
   out.cleaned = recording;

@@ -56,7 +56,8 @@ std::string mountsDiffer(const Recording& with, const Recording& without) {
     return heft::say("The sensor is mounted on {} in {} and on {} in {}.", printable(a.parent), from,
                      printable(b.parent), to);
   if ((a.xyz - b.xyz).norm() > kLength)
-    return heft::say("The sensor sits {:.2f} mm apart in {} and {}.", 1e3 * (a.xyz - b.xyz).norm(), from, to);
+    return heft::say("The sensor position differs by {:.2f} mm between {} and {}.", 1e3 * (a.xyz - b.xyz).norm(), from,
+                     to);
   const Matrix3d turn = rotationFromRpy(a.rpy).transpose() * rotationFromRpy(b.rpy);
   const double angle = Eigen::AngleAxisd(turn).angle();
   if (angle > kAngle)
@@ -98,8 +99,8 @@ void takeTrust(const EstimateReport& report, const char* code, EstimateReport& o
     object.trust = Trust::low;
     object.findings.push_back({Severity::warning,
                                code,
-                               heft::say("{} deserves little trust, and with it the object's numbers.", file),
-                               heft::say("Estimate it by itself and look at its findings."),
+                               heft::say("{} is not reliable, so neither are the object's numbers.", file),
+                               heft::say("Estimate it separately and look at its findings."),
                                {}});
   }
 }
@@ -189,7 +190,7 @@ Result<CarriedObject> estimateCarriedObject(const JointInput& with, const JointI
   takeTrust(out.without, "low_trust_without", object);
   if (out.verdict == ObjectVerdict::negative && object.trust != Trust::none)
     loseTrust(object, {heft::say("The tool is {:.3f} kg lighter with the object than without it.", -out.difference(0)),
-                       heft::say("Exchange the two recordings, or check that both are of the same tool.")});
+                       heft::say("Swap the two recordings, or check that both are of the same tool.")});
   return out;
 }
 

@@ -29,7 +29,7 @@ void compareWithConfigured(EstimateReport& report) {
     text += " " + heft::say("Its centre of mass is set {:.1f} mm from the estimated one.",
                             1e3 * (*told.com - own->com).norm());
   if (report.configured->changed)
-    text += " " + heft::say("It was set anew during the recording; this is what held longest.");
+    text += " " + heft::say("It was changed during the recording; this is the value set for longest.");
   report.findings.push_back({Severity::info,
                              "configured_payload",
                              std::move(text),

@@ -144,11 +144,10 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
     report.findings.push_back(
         {inside.moved > 3.0 ? Severity::warning : Severity::info,
          "held_inside_shape",
-         inside.moved > 0.05
-             ? heft::say("Without the bound some mass would lie outside the shape; holding it inside moved the result "
-                         "by {:.1f} standard deviations.",
-                         inside.moved)
-             : heft::say("The mass lies inside the shape even without the bound."),
+         inside.moved > 0.05 ? heft::say("Without the bound some mass would lie outside the shape; keeping it inside "
+                                         "shifted the result by {:.1f} standard deviations.",
+                                         inside.moved)
+                             : heft::say("The mass lies inside the shape even without the bound."),
          inside.moved > 3.0 ? heft::say("The shape seems too small or misplaced: check it, or leave the bound out.")
                             : std::string(),
          {}});
@@ -172,7 +171,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
     report.findings.push_back(
         {Severity::info,
          "inertia_assumed",
-         heft::say("The inertia is neither estimated nor given; a tool of usual size was assumed for it."),
+         heft::say("The inertia is neither estimated nor given; a typical tool size was assumed for it."),
          remedy(Remedy::giveInertia),
          {}});
 

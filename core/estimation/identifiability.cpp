@@ -39,10 +39,10 @@ NamedAxes namedAxes(const Payload& payload) {
     return " " + heft::say("(near the sensor's {})", kAxes[axis]);
   };
   const std::string crosswise = heft::say("an axis across the tool"),
-                    flat = heft::say("an axis in the tool's flat side");
+                    flat = heft::say("an axis in the plane of the tool's flat side");
   return {eigen.vectors,
           {(isLong ? heft::say("the tool's long axis") : flat) + near(0), (isLong ? crosswise : flat) + near(1),
-           (isFlat && !isLong ? heft::say("the axis square to the tool's flat side") : crosswise) + near(2)}};
+           (isFlat && !isLong ? heft::say("the axis perpendicular to the tool's flat side") : crosswise) + near(2)}};
 }
 
 /// What a small change of the parameters mostly is.
@@ -182,7 +182,7 @@ std::vector<std::string> weakDirections(const Identifiability& identifiability, 
     const Vector3d axis = axes.R.col(i);
     if (axis.cwiseAbs2().dot(weak) < 0.5) continue;
     words.push_back(
-        heft::say("The tool was never turned fast enough about {}: turn it to and fro about that axis, faster.",
+        heft::say("The tool was never rotated fast enough about {}: rotate it back and forth about that axis, faster.",
                   axes.names[static_cast<std::size_t>(i)]));
   }
   return words;

@@ -225,7 +225,7 @@ Result<JointReport> estimateJointly(std::span<const JointInput> inputs, const Es
     if (!piece.used && !isUnderstood(prepared[i])) {
       piece.words = piece.report.whyNoTrust;
     } else if (!piece.used) {
-      piece.words = heft::say("Of another tool: by itself it gives {:.3f} kg, the others give {:.3f} kg.",
+      piece.words = heft::say("From another tool: by itself it gives {:.3f} kg, the others give {:.3f} kg.",
                               piece.alone.mass, all->components(0));
     } else if (rest.empty()) {
       piece.words = heft::say("The only one that is used.");
@@ -253,7 +253,7 @@ Result<JointReport> estimateJointly(std::span<const JointInput> inputs, const Es
       result.findings.push_back(
           {Severity::warning,
            "low_trust_of_one",
-           heft::say("Recording {} deserves little trust, and with it the numbers from all of them.", i + 1),
+           heft::say("Recording {} is not reliable, so neither are the numbers from all of them.", i + 1),
            heft::say("Look at its findings, or leave it out."),
            {}});
     }
@@ -270,14 +270,13 @@ Result<JointReport> estimateJointly(std::span<const JointInput> inputs, const Es
       out.pieces[out.first].report.findings.push_back(
           {Severity::warning,
            "different_tool",
-           heft::say(
-               "Recording {} contradicts the others: {:.3f} kg against {:.3f} kg, centre of mass {:.0f} mm apart. "
-               "It was left out.",
-               i + 1, out.pieces[i].alone.mass, all->components(0),
-               1e3 * (out.pieces[i].alone.com - Vector3d(all->components.segment<3>(1))).norm()),
+           heft::say("Recording {} contradicts the others: {:.3f} kg against {:.3f} kg, centre of mass {:.0f} mm "
+                     "apart. It was excluded.",
+                     i + 1, out.pieces[i].alone.mass, all->components(0),
+                     1e3 * (out.pieces[i].alone.com - Vector3d(all->components.segment<3>(1))).norm()),
            out.pieces.size() == 2
-               ? heft::say("Two recordings cannot show which of them has the right tool: check both.")
-               : heft::say("Estimate it by itself."),
+               ? heft::say("With two recordings it is not clear which one has the right tool: check both.")
+               : heft::say("Estimate it separately."),
            {}});
   return out;
 }

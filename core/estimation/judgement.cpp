@@ -70,10 +70,10 @@ void sayMisfit(const Prepared& prepared, const Residuals& heldout, const Unseen&
     others = others || kind.has_value();
     const double times = heldout.channels(c) / std::max(scatter, 1e-12);
     if (kind && kind->times >= times) continue;
-    kind = {times, c < 3 ? heft::say("{} by {:.2g} N (the sensor's own scatter is {:.2g} N)", channelName(c),
-                                     heldout.channels(c), scatter)
-                         : heft::say("{} by {:.2g} N m (the sensor's own scatter is {:.2g} N m)", channelName(c),
-                                     heldout.channels(c), scatter)};
+    kind = {
+        times,
+        c < 3 ? heft::say("{} by {:.2g} N (sensor noise: {:.2g} N)", channelName(c), heldout.channels(c), scatter)
+              : heft::say("{} by {:.2g} N m (sensor noise: {:.2g} N m)", channelName(c), heldout.channels(c), scatter)};
   }
   std::vector<std::string> missed;
   for (const auto& kind : worst)
@@ -83,11 +83,10 @@ void sayMisfit(const Prepared& prepared, const Residuals& heldout, const Unseen&
   report.findings.push_back(
       {Severity::warning,
        "misfit",
-       heft::say(
-           "On segments that were not used for fitting, the model misses {}: something besides a rigid tool is at "
-           "work (contact, drift, delay, a cable, a poorly calibrated sensor).",
-           joined(missed)),
-       heft::say("Trust is low: the true values may lie outside the intervals. Look at where the difference is large."),
+       heft::say("On held-out segments the model misses {}: something other than a rigid tool affects the readings "
+                 "(contact, drift, delay, a cable, a poorly calibrated sensor).",
+                 joined(missed)),
+       heft::say("Trust is low: the true values may lie outside the intervals. Look where the residual is large."),
        {}});
 }
 
@@ -109,10 +108,10 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, const Unseen& 
     report.findings.push_back(
         {mostlyContact ? Severity::warning : Severity::info,
          "contact_left_out",
-         heft::say("{:.1f} s of {:.1f} s looked like contact and were left out: {}.", contact, report.duration, where),
-         mostlyContact
-             ? heft::say("Trust is low with so little free motion: check the marks, or record a longer free part.")
-             : heft::say("Mark them by hand if that is wrong."),
+         heft::say("{:.1f} s of {:.1f} s look like contact and were excluded: {}.", contact, report.duration, where),
+         mostlyContact ? heft::say("This is too little free motion for a reliable result: check the marks, or record a "
+                                   "longer free segment.")
+                       : heft::say("Mark them by hand if that is wrong."),
          {}});
 
   sayMisfit(prepared, heldout, unseen, report);
@@ -149,9 +148,8 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, const Unseen& 
     report.findings.push_back(
         {Severity::warning,
          "prior_contradicts_data",
-         heft::say("What you entered and what the motion shows disagree about: {}.", joined(parts)),
-         heft::say(
-             "Either the given values are of another tool or place, or the sensor's calibration is off: trust is low."),
+         heft::say("Your input disagrees with the measurement: {}.", joined(parts)),
+         heft::say("Check that the values are for this tool and position, and the sensor's calibration. Trust is low."),
          {}});
 
   // Values that the user gave and the data contradict.
@@ -160,9 +158,9 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, const Unseen& 
     report.findings.push_back(
         {Severity::warning,
          "known_disagrees",
-         heft::say("The estimated mass is {:.0f} % away from the known one, far outside its interval.",
+         heft::say("The estimated mass is {:.0f} % off the known one, far outside its interval.",
                    100.0 * report.relativeError->mass),
-         heft::say("Either the known value is of another tool, or the sensor's calibration is off: trust is low."),
+         heft::say("Check that the known value is for this tool, and the sensor's calibration. Trust is low."),
          {}});
 }
 
@@ -175,7 +173,7 @@ void addFindings(EstimateReport& report) {
     report.findings.push_back({Severity::warning,
                                "mass_not_known",
                                heft::say("This motion does not determine the mass; the number is a placeholder."),
-                               heft::say("Tilt the tool into several directions."),
+                               heft::say("Tilt the tool in several directions."),
                                {}});
   if (count(id.com, Source::none) > 0)
     report.findings.push_back(
@@ -193,7 +191,7 @@ void addFindings(EstimateReport& report) {
                                heft::say("This motion does not determine {} of the three moments of inertia; they are "
                                          "placeholders with wide intervals.",
                                          unknown),
-                               heft::say("Turn the tool faster, or give its shape."),
+                               heft::say("Rotate the tool faster, or specify its shape."),
                                {}});
   std::vector<std::string> given;
   const auto lean = [&](bool part, std::string name) {
@@ -209,18 +207,17 @@ void addFindings(EstimateReport& report) {
     report.findings.push_back(
         {Severity::info,
          "from_what_you_gave",
-         heft::say("The motion adds less than what you entered about: {}. These numbers are mainly yours.",
-                   joined(given)),
+         heft::say("These values come mainly from your input, not from the motion: {}.", joined(given)),
          {},
          {}});
   if (!report.physicallyConsistent)
-    report.findings.push_back({Severity::warning,
-                               "not_physical",
-                               heft::say("No real body has these numbers: {}", checkPhysical(report.payload).reason),
-                               report.method == Method::map
-                                   ? heft::say("Give its shape, or record a motion that turns the tool faster.")
-                                   : heft::say("Use the method map, which always gives a possible payload."),
-                               {}});
+    report.findings.push_back(
+        {Severity::warning,
+         "not_physical",
+         heft::say("These values are physically impossible: {}", checkPhysical(report.payload).reason),
+         report.method == Method::map ? heft::say("Specify its shape, or record a motion that rotates the tool faster.")
+                                      : heft::say("Use the method map, which always gives a possible payload."),
+         {}});
   if (!report.termination.usable)
     report.findings.push_back({Severity::warning,
                                "solver_not_usable",

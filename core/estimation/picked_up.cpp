@@ -18,8 +18,8 @@ Result<PickedUp> partsWithAndWithout(const Recording& recording, const RobotMode
   });
   if (events.empty())
     return Error{
-        heft::say("{}: nothing was seen to be picked up or put down in it. Give two recordings instead, one "
-                  "with the object and one without.",
+        heft::say("{}: nothing was picked up or put down in it. Give two recordings instead, one with the object and "
+                  "one without.",
                   recording.file)};
   for (std::size_t i = 1; i < events.size(); ++i)
     if (events[i].kind == events[i - 1].kind)

@@ -85,19 +85,18 @@ void saySilent(const std::array<bool, 6>& silent, const std::array<bool, 6>& cut
         {Severity::warning,
          "channel_unused",
          heft::say(
-             "Hardly any reading of {} differs from one value: that shows nothing of the payload, so it is not used.",
+             "Nearly all readings of {} are one value. They show nothing of the payload, so the channel is not used.",
              joined(still)),
          heft::say("Check that it was logged, or choose a finer measuring range of the sensor."),
          {}});
   if (!limited.empty())
-    findings.push_back(
-        {Severity::warning,
-         "channel_unused",
-         heft::say("More than half of the readings of {} are cut off at the end of the sensor's range, so it is not "
-                   "used.",
-                   joined(limited)),
-         heft::say("Choose a larger measuring range of the sensor."),
-         {}});
+    findings.push_back({Severity::warning,
+                        "channel_unused",
+                        heft::say("More than half of the readings of {} are clipped at the end of the sensor's range, "
+                                  "so the channel is not used.",
+                                  joined(limited)),
+                        heft::say("Choose a larger measuring range of the sensor."),
+                        {}});
 }
 
 /// The blocks with nothing in the channels that are not used: neither load nor reading.
@@ -178,14 +177,13 @@ WrenchRows blocksOf(const Motion& motion, const Recording& recording, const Held
 }
 
 Finding swingAssumed(const Vector3d& p_SoQ_S) {
-  return {
-      Severity::info,
-      "swing_assumed",
-      heft::say("The forces fit a sensor that swings about a point {:.2g} m away, so its acceleration was taken from "
-                "that instead of zero.",
-                p_SoQ_S.norm()),
-      {},
-      {}};
+  return {Severity::info,
+          "swing_assumed",
+          heft::say("No position was recorded. The forces fit a rotation about a point {:.2g} m away, so the sensor's "
+                    "acceleration was taken from that rotation.",
+                    p_SoQ_S.norm()),
+          {},
+          {}};
 }
 
 Finding accelerometerStands(const Vector3d& p_SoI_S) {
@@ -246,8 +244,8 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
     if (out.usedBlocks > before)
       out.findings.push_back({Severity::info,
                               "trim_lifted",
-                              heft::say("Contact leaves only {:.1f} s inside the trimmed range, so the free parts at "
-                                        "the recording's ends are used too.",
+                              heft::say("Contact leaves only {:.1f} s inside the trimmed range, so the free segments "
+                                        "at the ends of the recording are used, too.",
                                         static_cast<double>(before) / out.blocks.rateHz),
                               remedy(Remedy::keepEndsOut),
                               {}});
@@ -261,17 +259,16 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
   }
   if (6 * out.usedBlocks < 4 * kColumns)
     return Error{
-        heft::say("No free motion is left to estimate from: of {:.1f} s only {:.1f} s touch nothing inside the "
-                  "trimmed range. Check "
-                  "the marks, or lower the trim.",
+        heft::say("Not enough free motion: of {:.1f} s only {:.1f} s are free inside the trimmed range. Check the "
+                  "marks, or lower the trim.",
                   span, out.usedDuration)};
   calm(out);
   if (out.still)
     out.findings.push_back(
         {Severity::info,
          "stood_still",
-         heft::say("The tool stood still all the time."),
-         heft::say("Tilt it into several directions: at rest its weight and the sensor's bias look alike."),
+         heft::say("The tool did not move."),
+         heft::say("Tilt it in several directions: at rest, its weight and the sensor's bias cannot be separated."),
          {}});
   out.silent = options.silent;
   if (!as.reading) out.rounding = as.steps.roundingNoise(1.0 / out.blocks.rateHz);
@@ -295,7 +292,7 @@ Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robo
   out.usedBlocks = out.blocks.size();
   if (out.usedBlocks < 6)
     return Error{
-        heft::say("Only {} standing poses are there; at least 6 in different tilts are needed.", out.usedBlocks)};
+        heft::say("There are only {} standing poses; at least 6 with different tilts are needed.", out.usedBlocks)};
   out.rounding = as.steps.roundingNoise(1.0);
   learnNoise(out, true);
   return out;
@@ -377,7 +374,7 @@ int Prepared::foldOf(Eigen::Index block) const {
 
 Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                          const Progress& progress, bool checkConventions) {
-  progress(0.1, heft::say("Working out how the tool moved"));
+  progress(0.1, heft::say("Computing the motion"));
   const auto finish = [&](Prepared prepared, const FitRows& fit) {
     prepared.stride = fit.stride;
     prepared.folds = whitenedTriangles(fit.rows, fit.weighting, fit.weights, fit.runs, kFolds);
@@ -487,13 +484,14 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
   progress(0.6, heft::say("Learning the sensor's noise"));
   const FitRows fit = fitRowsFor(cleaned, robot, trial, as, *best, std::move(widest));
   if (as.held.period > 0.0)
-    best->findings.push_back({Severity::info,
-                              "wrench_held",
-                              heft::say("The log repeats each wrench for {:.0f} ms; each was used once, with the "
-                                        "motion of the moment at which it came.",
-                                        1e3 * as.held.period),
-                              {},
-                              {}});
+    best->findings.push_back(
+        {Severity::info,
+         "wrench_held",
+         heft::say(
+             "The log repeats each wrench for {:.0f} ms; each was used once, with the motion at the time it arrived.",
+             1e3 * as.held.period),
+         {},
+         {}});
   if (choose && fit.stride > 1)
     best->findings.push_back(
         {Severity::info,

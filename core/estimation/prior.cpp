@@ -87,9 +87,9 @@ Result<std::optional<ChosenPrior>> fromShape(const EstimateOptions& options, con
     findings.push_back({Severity::warning,
                         "shape_left_out",
                         heft::say("The shape contradicts the measured motion by {:.0f} standard deviations, so it was "
-                                  "left out: the numbers come from the motion alone.",
+                                  "not used: the numbers come from the motion alone.",
                                   away),
-                        heft::say("Check the shape's size and where it sits, or leave it away."),
+                        heft::say("Check its size and position, or remove it."),
                         {}});
     return std::optional<ChosenPrior>();
   }
@@ -97,19 +97,17 @@ Result<std::optional<ChosenPrior>> fromShape(const EstimateOptions& options, con
     findings.push_back({Severity::warning,
                         "shape_not_converged",
                         heft::say("Could not find a material density that fits this shape."),
-                        heft::say("Check the shape's size and place."),
+                        heft::say("Check the shape's size and position."),
                         {}});
   if (fit.conflict > 30.0)
-    findings.push_back(
-        {Severity::warning,
-         "shape_contradicts_data",
-         heft::say(
-             "The shape and the measured motion contradict each other: a tool of that shape and place would have moved "
-             "the sensor differently."),
-         options.shape->certainty == Certainty::rough
-             ? heft::say("Check the shape's size and where it sits, or leave it away.")
-             : heft::say("Check the shape's size and where it sits, or choose \"rough\"."),
-         {}});
+    findings.push_back({Severity::warning,
+                        "shape_contradicts_data",
+                        heft::say("The shape does not match the measurement: a tool of that shape and position would "
+                                  "have caused other forces."),
+                        options.shape->certainty == Certainty::rough
+                            ? heft::say("Check its size and position, or remove it.")
+                            : heft::say("Check its size and position, or choose \"rough\"."),
+                        {}});
   chosen.prior.U0 = fit.U0;
   chosen.prior.mean = fit.mean;
   chosen.prior.information = fit.information;

@@ -105,8 +105,8 @@ std::string evidenceText(const Evidence& e) {
   const auto cell = [](double value, double std, double unit) {
     return std::isfinite(value) ? fmt::format("{:.4g} +- {:.2g}", unit * value, 1.96 * unit * std) : std::string("-");
   };
-  std::string text = fmt::format("\n  {:<20} {:<24} {:<24} {}\n", "", "motion alone", "what you gave",
-                                 "moved the result by, in the motion's sigmas");
+  std::string text =
+      fmt::format("\n  {:<20} {:<24} {:<24} {}\n", "", "data only", "your input", "shift of the result [sigma]");
   for (const Row& row : kRows) {
     const int i = row.component;
     if (!std::isfinite(e.prior(i)) && !(std::abs(e.shift(i)) > 0.05)) continue;
@@ -122,13 +122,13 @@ std::string bestText(const EstimateReport& report) {
   const Vector10d& best = report.evidence.best;
   if (!std::isfinite(best(0))) return "";
   const Vector3d moments(best(4), best(7), best(9));
-  std::string text = fmt::format("  By itself this motion can tell at best (95 %): mass to {:.2g} kg", 1.96 * best(0));
+  std::string text = fmt::format("  Best achievable with this motion (95 %): mass +- {:.2g} kg", 1.96 * best(0));
   if (best.segment<3>(1).allFinite())
-    text += fmt::format(", centre to {:.2g} mm", 1.96e3 * best.segment<3>(1).maxCoeff());
+    text += fmt::format(", centre +- {:.2g} mm", 1.96e3 * best.segment<3>(1).maxCoeff());
   const double trace = report.payload.inertiaCom.trace();
   if (report.parameters == ParameterSet::full && trace > 0.0)
     text += moments.allFinite() && moments.maxCoeff() < trace
-                ? fmt::format(", moments of inertia to {:.2g} kg cm2", 1.96e4 * moments.maxCoeff())
+                ? fmt::format(", moments of inertia +- {:.2g} kg cm2", 1.96e4 * moments.maxCoeff())
                 : ", not all moments of inertia";
   return text + ".\n";
 }
@@ -139,11 +139,12 @@ std::string headline(const EstimateReport& report) {
   if (report.trust == Trust::none)
     return heft::say("The weight cannot be determined from these readings as they are interpreted. {}",
                      report.whyNoTrust);
-  if (id.mass == Source::none) return "This motion cannot tell what your tool weighs.";
-  std::string line = id.mass == Source::prior && report.evidence.hasPrior && !std::isfinite(report.evidence.data(0))
-                         ? fmt::format("This motion cannot tell what your tool weighs; {:.2f} kg is what you gave.",
-                                       report.payload.mass)
-                         : fmt::format("Your tool weighs {:.2f} kg.", report.payload.mass);
+  if (id.mass == Source::none) return "This motion does not determine the mass of your tool.";
+  std::string line =
+      id.mass == Source::prior && report.evidence.hasPrior && !std::isfinite(report.evidence.data(0))
+          ? fmt::format("This motion does not determine the mass of your tool; {:.2f} kg is your own value.",
+                        report.payload.mass)
+          : fmt::format("Your tool weighs {:.2f} kg.", report.payload.mass);
   bool com = true, inertia = true, comPrior = false, inertiaPrior = false;
   for (std::size_t i = 0; i < 3; ++i) {
     com = com && id.com[i] == Source::data;
@@ -156,7 +157,7 @@ std::string headline(const EstimateReport& report) {
   if (com)
     return line + (inertiaPrior ? " Mass and centre are measured; inertia relies on your shape."
                                 : " Mass and centre are measured; the inertia is not known from this motion.");
-  return line + (comPrior ? " The centre of mass leans on what you gave, too."
+  return line + (comPrior ? " The centre of mass relies on your input, too."
                           : " The centre of mass is not fully determined by this motion.");
 }
 
@@ -257,11 +258,10 @@ std::string toText(const EstimateReport& report) {
       "\n  (+-: 95 % interval. Centre of mass from the sensor's origin, inertia about the centre of mass, sensor "
       "axes.)\n";
   if (report.duration > 0.0)
-    text += fmt::format("\n  {:.1f} s of {:.1f} s were used. ", report.usedDuration, report.duration);
+    text += fmt::format("\n  Used {:.1f} of {:.1f} s. ", report.usedDuration, report.duration);
   else
-    text += fmt::format("\n  {} standing poses were used. ", report.samples);
-  text += fmt::format("Held-out parts are predicted to {:.3f} N and {:.4f} N m.\n", report.heldoutForceRms,
-                      report.heldoutTorqueRms);
+    text += fmt::format("\n  Used {} standing poses. ", report.samples);
+  text += fmt::format("Held-out error: {:.3f} N, {:.4f} N m.\n", report.heldoutForceRms, report.heldoutTorqueRms);
   text += fmt::format("  Sensor bias {:.3f} {:.3f} {:.3f} N, {:.4f} {:.4f} {:.4f} N m.\n", report.forceBias(0),
                       report.forceBias(1), report.forceBias(2), report.torqueBias(0), report.torqueBias(1),
                       report.torqueBias(2));
@@ -269,7 +269,7 @@ std::string toText(const EstimateReport& report) {
   if (report.evidence.hasPrior) text += evidenceText(report.evidence);
   if (report.relativeError) {
     const auto& e = *report.relativeError;
-    text += "  Against the known values:";
+    text += "  Deviation from the known values:";
     if (e.hasMass) text += fmt::format(" mass {:.2f} %", 100 * e.mass);
     if (e.hasCom) text += fmt::format(", centre of mass {:.2f} %", 100 * e.com);
     if (e.hasInertia)

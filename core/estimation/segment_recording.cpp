@@ -95,10 +95,9 @@ nlohmann::json toJson(const SegmentedRecording& segmented, const Recording& reco
 std::string toText(const SegmentedRecording& segmented, const Recording& recording) {
   const auto& segments = segmented.segmentation.segments;
   const double ignored = secondsOf(segments, MarkLabel::ignore);
-  std::string text =
-      fmt::format("{:.1f} s of {:.1f} s touch nothing; {:.1f} s are contact", secondsOf(segments, MarkLabel::free),
-                  recording.duration(), secondsOf(segments, MarkLabel::contact));
-  if (ignored > 0.0) text += fmt::format("; {:.1f} s are left out", ignored);
+  std::string text = fmt::format("{:.1f} of {:.1f} s free, {:.1f} s contact", secondsOf(segments, MarkLabel::free),
+                                 recording.duration(), secondsOf(segments, MarkLabel::contact));
+  if (ignored > 0.0) text += fmt::format(", {:.1f} s excluded", ignored);
   text += ".\n\n      from        to   label     what             sure   why\n";
   for (const auto& s : segments)
     text += fmt::format("  {:8.2f}  {:8.2f} s {:<9} {:<15} {:4.0f} %   {}\n", std::max(0.0, s.from), s.to,

@@ -59,8 +59,8 @@ std::string evidenceOf(const conventions::Report& said) {
   if (said.statedPayload.mass < 0.0 && said.statedMisfit.worst() < conventions::kFits)
     return heft::say("As stated, the tool would weigh {:.2f} kg.", said.statedPayload.mass);
   return heft::say(
-      "Read so, the model misses {:.0f} % of what the motion makes of the force and {:.0f} % of the torque; as stated "
-      "it misses {:.0f} % and {:.0f} %.",
+      "With this interpretation the model misses {:.0f} % of the force and {:.0f} % of the torque that the motion "
+      "causes; as stated it misses {:.0f} % and {:.0f} %.",
       100.0 * said.misfit.force, 100.0 * said.misfit.torque, 100.0 * said.statedMisfit.force,
       100.0 * said.statedMisfit.torque);
 }
@@ -74,7 +74,7 @@ std::string howToReadSo(const EstimateReport& report, const conventions::Reading
 std::string tiesOf(const EstimateReport& report) {
   std::string out;
   for (const auto& tie : report.conventions.ties)
-    out += (out.empty() ? "" : " ") + heft::say("As well fits: {}", tie.sentence);
+    out += (out.empty() ? "" : " ") + heft::say("Fits equally well: {}", tie.sentence);
   return out;
 }
 
@@ -103,12 +103,11 @@ NoTrust whyNone(const EstimateReport& report, const Unseen& unseen) {
     return {heft::say("The value of the mass is outside its own interval."),
             heft::say("Record a longer motion that tilts and turns the tool.")};
   if (unseen.worst() > kDescribes)
-    return {
-        heft::say("On parts that were not used for fitting, a rigid tool misses {:.0f} % of what the motion makes of "
-                  "the force and {:.0f} % of the torque.",
-                  100.0 * unseen.force, 100.0 * unseen.torque),
-        heft::say("Look for contact, a cable, or a sensor that was zeroed during the recording; 'heft diagnose' "
-                  "names the cause.")};
+    return {heft::say("On held-out segments a rigid tool misses {:.0f} % of the force and {:.0f} % of the torque that "
+                      "the motion causes.",
+                      100.0 * unseen.force, 100.0 * unseen.torque),
+            heft::say("Look for contact, a cable, or a sensor that was zeroed during the recording; 'heft diagnose' "
+                      "names the cause.")};
   return {};
 }
 
@@ -209,12 +208,12 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
   report.unseenForceShare = unseen.force;
   report.unseenTorqueShare = unseen.torque;
   if (report.readAsSuggested)
-    report.findings.push_back(
-        {Severity::warning,
-         "read_as_suggested",
-         inOneLine({heft::say("The readings were understood otherwise than stated."), said.sentence, evidenceOf(said)}),
-         inOneLine({remedy(Remedy::keepReading, patchOf(report, *said.suggested)), said.check}),
-         {}});
+    report.findings.push_back({Severity::warning,
+                               "read_as_suggested",
+                               inOneLine({heft::say("The readings were interpreted differently from what is stated."),
+                                          said.sentence, evidenceOf(said)}),
+                               inOneLine({remedy(Remedy::keepReading, patchOf(report, *said.suggested)), said.check}),
+                               {}});
   if (const NoTrust why = whyNone(report, unseen); !why.what.empty()) {
     loseTrust(report, why);
     return;
@@ -240,11 +239,10 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
     report.findings.push_back(
         {Severity::warning,
          "misfit",
-         heft::say("On parts that were not used for fitting, a rigid tool misses {:.0f} % of what the motion makes of "
-                   "the force and {:.0f} % of the torque.",
+         heft::say("On held-out segments a rigid tool misses {:.0f} % of the force and {:.0f} % of the torque that the "
+                   "motion causes.",
                    100.0 * unseen.force, 100.0 * unseen.torque),
-         heft::say(
-             "Trust is low: the true values may lie outside the intervals. Look at where the difference is large."),
+         heft::say("Trust is low: the true values may lie outside the intervals. Look where the residual is large."),
          {}});
   if (std::ranges::any_of(report.findings, [](const Finding& f) { return doubtsNumbers(f.severity, f.code); }))
     report.trust = Trust::low;

@@ -54,7 +54,7 @@ Result<Payload> controllerPayloadFromJson(const json& object, const std::string&
     const Payload read = desk ? fromDesk(object) : fromProfile(object["inertial"]);
     if (!std::isfinite(read.mass) || !read.com.allFinite() || !read.inertiaCom.allFinite())
       return Error{
-          heft::say("{}: mass, centre of mass or inertia is missing or holds something that is no number.", where)};
+          heft::say("{}: mass, centre of mass or inertia is missing or holds something that is not a number.", where)};
     // Through the reader that checks signs and symmetry.
     return payloadFromJson(toJson(read), where);
   }

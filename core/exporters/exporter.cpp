@@ -60,7 +60,7 @@ void addSensorFindings(const ExportFormat& format, const ExportInput& input, Fin
     findings.push_back({Severity::info,
                         "sensor_frame_unset",
                         heft::say("The sensor's frame is called ft_sensor."),
-                        heft::say("Write the name that it has on your robot."),
+                        heft::say("Use the name that it has on your robot."),
                         {}});
   if (biased && (!input.sensor || !input.sensor->bias))
     addWarning(findings, "bias_unknown", heft::say("A payload without an estimate has no bias; zeros are written."),
@@ -72,11 +72,11 @@ void addFormatFindings(const ExportFormat& format, const ExportInput& input, Fin
   const Payload& payload = input.payload;
   if (format.heaviest > 0.0 && payload.mass > format.heaviest)
     addWarning(findings, "payload_limit",
-               heft::say("The payload weighs {:.3f} kg; the robot is made for {} kg.", payload.mass, format.heaviest),
+               heft::say("The payload weighs {:.3f} kg; the robot is rated for {} kg.", payload.mass, format.heaviest),
                heft::say("Check the recording's frame and sign, or use a lighter tool."));
   if (format.write == writeUr && payload.inertiaCom.cwiseAbs().maxCoeff() > kUrInertiaLimit)
     addWarning(findings, "inertia_limit",
-               heft::say("An entry of the inertia is {:.4g} kg m2; set_target_payload takes at most {} kg m2.",
+               heft::say("An inertia entry is {:.4g} kg m2; set_target_payload accepts at most {} kg m2.",
                          payload.inertiaCom.cwiseAbs().maxCoeff(), kUrInertiaLimit),
                heft::say("Check the units of the inertia."));
   if (format.write == writeFanuc) {
@@ -91,7 +91,7 @@ void addFormatFindings(const ExportFormat& format, const ExportInput& input, Fin
     findings.push_back({Severity::info,
                         "tool_centre_unset",
                         heft::say("The tool centre point is written at the flange."),
-                        heft::say("Set it in Desk, or state it before exporting."),
+                        heft::say("Set it in Desk, or specify it before exporting."),
                         {}});
   if (format.write == writeFrankaProfile && !input.X_FE.linear().isIdentity(1e-9))
     addWarning(findings, "tool_rotation_lost",
@@ -109,7 +109,7 @@ const std::vector<ExportFormat>& exportFormats() {
   static const std::vector<ExportFormat> formats = {
       {"franka-desk", "Franka Desk end effector (JSON)", ".json", writeFrankaDesk, {}, kPandaPayload},
       {"franka-profile", "Franka end-effector profile (JSON)", ".endeffector-profile.json", writeFrankaProfile,
-       heft::toSay("the form of the profile and the unit of its angles (zeros are written)"), kPandaPayload},
+       heft::toSay("the format of the profile and the unit of its angles (zeros are written)"), kPandaPayload},
       {"libfranka", "libfranka setLoad (C++)", ".h", writeLibfranka, {}, kPandaPayload},
       {"franka-ros", "franka_ros set_load request (YAML)", ".yaml", writeFrankaRos, {}, kPandaPayload},
       {"franka-ros2", "franka_ros2 set_load request (YAML)", ".yaml", writeFrankaRos2,

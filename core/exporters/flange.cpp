@@ -59,12 +59,12 @@ Result<Isometry3d> parentInFlange(const std::string& parent, Findings& findings)
     return Error{heft::say("The sensor is mounted on {}, which moves against the flange: state its pose on the flange.",
                            printable(parent))};
   }
-  findings.push_back(
-      {Severity::warning,
-       "flange_assumed",
-       heft::say("The sensor's parent link {} is not known as a flange and was taken for it.", printable(parent)),
-       heft::say("State the sensor's pose on the flange if it is not."),
-       {}});
+  findings.push_back({Severity::warning,
+                      "flange_assumed",
+                      heft::say("The sensor's parent link {} is not known to be a flange; it was taken as the flange.",
+                                printable(parent)),
+                      heft::say("If it is not, specify the sensor's pose on the flange."),
+                      {}});
   return Isometry3d(Isometry3d::Identity());
 }
 
@@ -95,13 +95,14 @@ void reportSources(const json& identifiability, Findings& findings) {
         {Severity::warning,
          "not_known",
          heft::say("Not known from this motion, so only a guess: {}.", joined(unknown)),
-         heft::say("Record a motion that turns the tool faster, or tell its shape, before you trust these numbers."),
+         heft::say(
+             "Record a motion that rotates the tool faster, or specify its shape, before you rely on these values."),
          {}});
   if (!fromPrior.empty())
     findings.push_back({Severity::warning,
                         "rests_on_prior",
-                        heft::say("From the shape or values you gave, not measured: {}.", joined(fromPrior)),
-                        heft::say("Check them before the robot relies on them."),
+                        heft::say("From the shape or values that you entered, not measured: {}.", joined(fromPrior)),
+                        heft::say("Check them before the robot uses them."),
                         {}});
 }
 
@@ -196,12 +197,12 @@ Result<FlangePayload> toFlange(const json& result, const std::string& where, con
   if (const json* schema = member(result, "schema");
       schema && schema->is_string() && !member(result, "payload") && !member(result, "mass_kg"))
     return Error{
-        heft::say("{} is a {} file, from which no payload is taken; give the --json file of 'heft estimate' or the "
-                  "--result file of 'heft diagnose'.",
+        heft::say("{} is a {} file, which holds no payload; give the --json file of 'heft estimate' or the --result "
+                  "file of 'heft diagnose'.",
                   where, printable(schema->get<std::string>()))};
   if (const json* trust = member(result, "trust"); trust && *trust == "none" && !options.force)
     return Error{heft::say(
-        "The numbers in {} cannot be trusted, so no payload is written from it: see its findings first.", where)};
+        "The numbers in {} are not reliable, so no payload is written from them: see its findings first.", where)};
   FlangePayload out;
   const auto payload = payloadFromJson(result, where);
   if (!payload) return payload.error();
@@ -218,8 +219,9 @@ Result<FlangePayload> toFlange(const json& result, const std::string& where, con
     out.findings.push_back(
         {Severity::warning,
          "mount_unknown",
-         heft::say("The result does not state where the sensor is mounted; its frame was taken for the flange's."),
-         heft::say("State the sensor's pose on the flange."),
+         heft::say(
+             "The result does not state where the sensor is mounted; the sensor frame was taken as the flange frame."),
+         heft::say("Specify the sensor's pose on the flange."),
          {}});
   }
   if (!options.xyz || !options.rpy) {
@@ -236,16 +238,16 @@ Result<FlangePayload> toFlange(const json& result, const std::string& where, con
   if (const json* trust = member(result, "trust"); trust && *trust == "none")
     out.findings.push_back({Severity::warning,
                             "not_trusted",
-                            heft::say("The estimate's own findings say that its numbers cannot be trusted."),
-                            heft::say("See its findings before the robot relies on them."),
+                            heft::say("The estimate's own findings say that its numbers are not reliable."),
+                            heft::say("Read its findings before the robot uses them."),
                             {}});
   else if (const json* identifiability = member(result, "identifiability"))
     reportSources(*identifiability, out.findings);
   if (const json* consistent = member(result, "physically_consistent"); consistent && *consistent == false)
     out.findings.push_back({Severity::warning,
                             "not_consistent",
-                            heft::say("The estimate itself says that it is not physically possible."),
-                            heft::say("Use the method map, or a longer recording that turns the tool faster."),
+                            heft::say("The estimate is marked as physically impossible."),
+                            heft::say("Use the method map, or a longer recording that rotates the tool faster."),
                             {}});
   reportDoubts(result, out);
   for (const std::string& caution : options.cautions) {

@@ -141,7 +141,7 @@ Result<std::string> payloadIntoUrdf(const std::string& urdf, const std::string& 
     const auto* mass = old->child("mass");
     findings.push_back({Severity::warning,
                         "inertial_replaced",
-                        heft::say("The link \"{}\" weighed {} kg in the URDF; the payload replaces that.",
+                        heft::say("The link \"{}\" weighed {} kg in the URDF; the payload replaces it.",
                                   printable(link), mass ? printable(mass->attributeOr("value")) : std::string("?")),
                         heft::say("If that was the arm's own mass, put the payload on a link of its own."),
                         {file, old->line, old->column}});

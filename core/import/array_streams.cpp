@@ -278,7 +278,7 @@ Result<bool> addArrayStreams(const std::vector<NumberArray>& arrays, const Chann
 void noteRate(StreamSet& set, double rateHz) {
   set.findings.push_back({Severity::info,
                           "rate_stated",
-                          heft::say("Times count from 0 at the rate that was stated, {:g} Hz.", rateHz),
+                          heft::say("Times count from 0 at the stated rate, {:g} Hz.", rateHz),
                           {},
                           {set.file, 0, 0}});
 }

@@ -29,7 +29,7 @@ Result<ByteFile> ByteFile::open(const std::filesystem::path& path) {
   out.file_ = std::make_shared<const Descriptor>(number);
   struct stat status {};
   if (::fstat(number, &status) != 0 || !S_ISREG(status.st_mode))
-    return errorAt({displayName(path), 0, 0}, heft::say("this is no ordinary file."),
+    return errorAt({displayName(path), 0, 0}, heft::say("this is not a regular file."),
                    heft::say("Give a recording's file."));
   out.size_ = static_cast<std::uint64_t>(status.st_size);
   return out;

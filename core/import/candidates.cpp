@@ -131,7 +131,7 @@ class StreamGuess {
     if (isDigits(frame)) score -= 6;
     if (anyIs(wordsOf(stream_.name), std::array{"static"})) {
       score -= 100;
-      reason = heft::say("by its name it does not move");
+      reason = heft::say("judging by its name, it does not move");
     }
     if (stream_.type == "sensor_msgs/Imu") {
       score -= 100;
@@ -191,7 +191,7 @@ class StreamGuess {
       std::string reason = why();
       if (anyIs(all, std::array{"base", "camera", "lidar", "head", "chassis", "mobile", "odom", "realsense"})) {
         score -= 100;
-        reason = heft::say("by its name it is not on the tool");
+        reason = heft::say("judging by its name, it is not on the tool");
       }
       add("accelerometer", fields, 0, kAccelerationColumns, score, reason);
       for (const auto& [turning, rateFields] : rates)

@@ -55,8 +55,9 @@ void Clocks::choose() {
     clockShift_[s] = nanoseconds(delay);
     joining_.note(
         Severity::warning, "clock_shifted",
-        heft::say("The stamps of {} are on another clock: {:.4f} s were added, from when its messages arrived.",
-                  joining_.nameOf(s), delay),
+        heft::say(
+            "The time stamps of {} are on another clock: {:.4f} s were added, based on when its messages arrived.",
+            joining_.nameOf(s), delay),
         heft::say("The transport's delay is not known.") + " " + joining_.howToShift(s, 0.0));
   }
 }
@@ -95,7 +96,7 @@ std::optional<Error> Clocks::refuseRestarts() {
         clockShift_[each] = 0;
       }
       joining_.note(Severity::warning, "clock_restarts",
-                    heft::say("The stamps of {} start again in the middle; the recorder's times are used for all.",
+                    heft::say("The time stamps of {} restart in the middle; the recorder's times are used for all.",
                               joining_.nameOf(s)));
     }
   }
@@ -105,8 +106,8 @@ std::optional<Error> Clocks::refuseRestarts() {
     const auto at = restartsAt(s, times);
     if (!at) continue;
     return errorAt({stream.file, 0, 0},
-                   heft::say("the times of {} fall from {:.4f} s to {:.4f} s at sample {}, over what was there "
-                             "already: two recordings, or two clocks.",
+                   heft::say("the times of {} decrease from {:.4f} s to {:.4f} s at sample {}, overlapping earlier "
+                             "samples: two recordings, or two clocks.",
                              joining_.nameOf(s), 1e-9 * static_cast<double>(times[*at - 1]),
                              1e-9 * static_cast<double>(times[*at]), *at + 1),
                    heft::say("Split the recording there, or record one source only."));

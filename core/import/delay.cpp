@@ -103,18 +103,17 @@ Result<OffsetEstimate> findClockOffset(const std::optional<Motion>& moved, const
     offset = offsetWithin(*moved, conventions, wrench, std::max(begin - last, begin - first - kLongestReach),
                           std::min(end - first, begin - first + kLongestReach));
   if (!offset.sure)
-    return errorAt({joining.file, 0, 0},
-                   heft::say("the clocks of {} and {} have nothing in common, and the data do not tell how much "
-                             "one is later than the other.",
-                             joining.nameOf(motion.stream), joining.nameOf(wrench.stream)),
-                   joining.howToShift(wrench.stream, 0.0));
+    return errorAt(
+        {joining.file, 0, 0},
+        heft::say("the clocks of {} and {} have nothing in common, and the data do not show the offset between them.",
+                  joining.nameOf(motion.stream), joining.nameOf(wrench.stream)),
+        joining.howToShift(wrench.stream, 0.0));
   joining.note(
       Severity::warning, "clock_offset",
       heft::say("{} and {} are on different clocks: the wrench was shifted by {}.", joining.nameOf(motion.stream),
                 joining.nameOf(wrench.stream), figuresOf(offset)),
-      heft::say("Found by letting the force follow the motion; a delay of the sensor itself is thereby taken out, "
-                "too.") +
-          " " + joining.howToShift(wrench.stream, zeros + offset.seconds));
+      heft::say("Found by matching the force to the motion; this also removes any delay of the sensor itself.") + " " +
+          joining.howToShift(wrench.stream, zeros + offset.seconds));
   return offset;
 }
 

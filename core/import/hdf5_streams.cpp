@@ -96,19 +96,19 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
   if (!file)
     return errorAt(
         {set.file, 0, 0}, heft::say("this HDF5 file cannot be opened: it is cut off or damaged."),
-        heft::say("Close the file in the recording program before copying it; \"h5clear -s FILE\" may mend it."));
+        heft::say("Close the file in the recording program before copying it; \"h5clear -s FILE\" may repair it."));
   const LinkWalk walk(file.id());
   if (walk.damaged())
     set.findings.push_back({Severity::warning,
                             "file_cut_off",
-                            heft::say("The HDF5 file is damaged; the datasets that can be reached were read."),
+                            heft::say("The HDF5 file is damaged; only the datasets that could be reached were read."),
                             {},
                             {set.file, 0, 0}});
   for (const auto& each : walk.broken())
     set.findings.push_back({Severity::warning,
                             "link_broken",
-                            heft::say("The link /{} leads nowhere.", printable(each, 100)),
-                            heft::say("Copy the file that it names beside this one."),
+                            heft::say("The link /{} is broken.", printable(each, 100)),
+                            heft::say("Copy the file that it refers to beside this one."),
                             {set.file, 0, 0}});
   // No filter packs numbers to less than a thousandth: larger sizes are damage.
   std::error_code code;
@@ -129,13 +129,13 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
       odd.push_back(heft::say("{} more", count - 5));
     }
     const auto names = fmt::format("{}", fmt::join(odd, ", "));
-    const std::string rewrite = heft::say("Write each quantity as a dataset of numbers with one row a sample.");
+    const std::string rewrite = heft::say("Write each quantity as a dataset of numbers with one row per sample.");
     if (all.empty())
       return errorAt({set.file, 0, 0}, heft::say("no dataset of this HDF5 file is a table of numbers: {}.", names),
                      rewrite);
     set.findings.push_back({Severity::info,
                             "dataset_odd",
-                            heft::say("Left out, as they are no tables of numbers: {}.", names),
+                            heft::say("Skipped, since they are not tables of numbers: {}.", names),
                             rewrite,
                             {set.file, 0, 0}});
   }

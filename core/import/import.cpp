@@ -25,7 +25,7 @@ std::optional<Error> firstError(const Findings& findings) {
 }
 
 Error tooLarge(const std::filesystem::path& path) {
-  return errorAt({displayName(path), 0, 0}, heft::say("the recording does not fit into the memory."),
+  return errorAt({displayName(path), 0, 0}, heft::say("the recording does not fit into memory."),
                  heft::say("Split it, or record fewer topics."));
 }
 
@@ -163,11 +163,10 @@ void letMotionDecide(std::vector<ColumnSource>& columns, const std::vector<std::
       findings.begin(),
       {Severity::warning,
        "wrench_of_several",
-       moved
-           ? heft::say("Several wrenches would do; {} was taken, since the motion explains {:.0f} % of its force, and "
-                       "{:.0f} % of that of {}.",
-                       nameOf(columns), 100.0 * bestShare, 100.0 * mine.value_or(0.0), was)
-           : heft::say("Several wrenches would do; {} was taken, and it could also be {}.", was, names),
+       moved ? heft::say("Several wrenches are possible; {} was used, since the motion explains {:.0f} % of its force, "
+                         "and {:.0f} % of that of {}.",
+                         nameOf(columns), 100.0 * bestShare, 100.0 * mine.value_or(0.0), was)
+             : heft::say("Several wrenches are possible; {} was used, and it could also be {}.", was, names),
        remedy(Remedy::chooseSource, "wrench"),
        {opened.streams[columns[0].stream].file, 0, 0}});
 }
@@ -207,7 +206,7 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
                    heft::say("it is cut off or damaged before the first message that could be read."),
                    heft::say("Copy it again from where it was recorded."));
   if (listed.empty())
-    return explained(errorAt({displayName(path), 0, 0}, heft::say("nothing that Heft can read is in it."),
+    return explained(errorAt({displayName(path), 0, 0}, heft::say("it contains nothing that Heft can read."),
                              heft::say("Record the sensor's wrench and the joints or the pose.") + " " +
                                  remedy(Remedy::showContents)),
                      opened->findings);
@@ -251,7 +250,7 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
   auto found = *columns;
   if (!findAgain(found))
     return errorAt({listed[(*columns)[0].stream].file, 0, 0}, heft::say("its columns could not be read again."),
-                   heft::say("Was the file changed meanwhile?"));
+                   heft::say("Was the file changed in the meantime?"));
   std::vector<std::vector<ColumnSource>> others;
   for (const auto& rival : rivals) {
     auto other = *columns;

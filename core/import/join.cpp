@@ -231,7 +231,7 @@ class Joiner {
     }
     if (inGaps > 0)
       joining_.note(Severity::warning, "stream_gaps",
-                    heft::say("At {} of {} times one of the streams has a gap; they were left out.", inGaps,
+                    heft::say("At {} of {} times one of the streams has a gap; these were left out.", inGaps,
                               inGaps + times.size()));
     if (moving.step > 0.0201 && moving.step > 2.0 * wrench_.step)
       joining_.note(
@@ -282,7 +282,7 @@ class Joiner {
       recording_.quaternion.row(k) = turned.coeffs().transpose();
     }
     joining_.note(Severity::info, "pose_of_flange",
-                  heft::say("The poses are the flange's; the sensor's follow by its mount."));
+                  heft::say("The poses are those of the flange; the sensor's poses are derived from its mount."));
   }
 
   Joining joining_;

@@ -33,7 +33,7 @@ Result<MappingWishes> readMapFile(const std::filesystem::path& file) {
   const auto name = displayName(file);
   const auto read = readJsonFile(file);
   if (!read) return read.error();
-  if (!read->is_object()) return badMap(name, heft::say("this is no JSON object."));
+  if (!read->is_object()) return badMap(name, heft::say("this is not a JSON object."));
   MappingWishes wishes;
   auto stated = readConventions(*read, name);
   if (!stated) return stated.error();
@@ -52,36 +52,36 @@ Result<MappingWishes> readMapFile(const std::filesystem::path& file) {
   };
   for (const auto& [key, value] : read->items()) {
     if (key == "use") {
-      if (!value.is_object()) return badMap(name, heft::say("\"use\" is no object."));
+      if (!value.is_object()) return badMap(name, heft::say("\"use\" is not an object."));
       for (const auto& [target, source] : value.items()) {
-        if (!source.is_string()) return badMap(name, heft::say("\"{}\" in \"use\" is no text.", printable(target)));
+        if (!source.is_string()) return badMap(name, heft::say("\"{}\" in \"use\" is not a text.", printable(target)));
         if (auto failure = checkTarget(target, name)) return *failure;
         wishes.use[target] = source.get<std::string>();
       }
     } else if (key == "scale") {
-      if (!numbers(value, wishes.scale)) return badMap(name, heft::say("\"scale\" is no object of numbers."));
+      if (!numbers(value, wishes.scale)) return badMap(name, heft::say("\"scale\" is not an object of numbers."));
       for (const auto& [target, factor] : wishes.scale) {
         if (auto failure = checkTarget(target, name)) return *failure;
         if (factor == 0.0 || (target == "time" && factor < 0.0))
           return badMap(name, heft::say("the scale of {} is {}.", target, factor));
       }
     } else if (key == "offset_s") {
-      if (!numbers(value, wishes.offset)) return badMap(name, heft::say("\"offset_s\" is no object of numbers."));
+      if (!numbers(value, wishes.offset)) return badMap(name, heft::say("\"offset_s\" is not an object of numbers."));
       for (const auto& [target, seconds] : wishes.offset)
         if (std::abs(seconds) > kLargestOffset)
-          return errorAt({name, 0, 0},
-                         heft::say("the offset of {} is {:g} s, more than the {:g} s (63 years) by which clocks can "
-                                   "differ.",
-                                   printable(target), seconds, kLargestOffset),
-                         heft::say("Offsets are in seconds, also where the file counts in ms or ns."));
+          return errorAt(
+              {name, 0, 0},
+              heft::say("the offset of {} is {:g} s, more than the {:g} s (63 years) that clocks can differ by.",
+                        printable(target), seconds, kLargestOffset),
+              heft::say("Offsets are in seconds, even where the file counts in ms or ns."));
     } else if (key == "rate_hz") {
       if (!value.is_number() || !(value.get<double>() > 0.0) || value.get<double>() > 1e6)
-        return badMap(name, heft::say("\"rate_hz\" is no rate above 0."));
+        return badMap(name, heft::say("\"rate_hz\" is not a rate above 0."));
       wishes.rateHz = value.get<double>();
     } else if (key == "join") {
-      if (!value.is_array()) return badMap(name, heft::say("\"join\" is no list of files."));
+      if (!value.is_array()) return badMap(name, heft::say("\"join\" is not a list of files."));
       for (const auto& each : value) {
-        if (!each.is_string()) return badMap(name, heft::say("\"join\" is no list of files."));
+        if (!each.is_string()) return badMap(name, heft::say("\"join\" is not a list of files."));
         const std::filesystem::path other(each.get<std::string>());
         wishes.join.push_back(other.is_absolute() ? other : file.parent_path() / other);
       }
@@ -94,7 +94,7 @@ Result<MappingWishes> readMapFile(const std::filesystem::path& file) {
         return badMap(name, heft::say("\"clock\" is neither header nor received."));
       wishes.clock = value.get<std::string>();
     } else if (key == "sensor") {
-      if (!value.is_object()) return badMap(name, heft::say("\"sensor\" is no object."));
+      if (!value.is_object()) return badMap(name, heft::say("\"sensor\" is not an object."));
       for (const auto& [inner, unused] : value.items())
         if (const auto path = "sensor." + printable(inner); !isConvention(inner, true))
           return badMap(name, heft::say("\"{}\" is not known.", path));

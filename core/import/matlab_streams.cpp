@@ -228,11 +228,12 @@ Result<StreamSet> readMatlabStreams(const std::filesystem::path& path, const Fie
     held.push_back(std::move(variable));
   }
   if (!walk.odd().empty())
-    set.findings.push_back({Severity::info,
-                            "dataset_odd",
-                            heft::say("Left out, as they are no tables of numbers: {}.", fmt::join(walk.odd(), ", ")),
-                            heft::say("Save each quantity as a matrix of numbers with one row a sample."),
-                            {set.file, 0, 0}});
+    set.findings.push_back(
+        {Severity::info,
+         "dataset_odd",
+         heft::say("Skipped, since they are not tables of numbers: {}.", fmt::join(walk.odd(), ", ")),
+         heft::say("Save each quantity as a matrix of numbers with one row per sample."),
+         {set.file, 0, 0}});
   std::vector<NumberArray> arrays;
   for (const auto& each : walk.arrays()) arrays.push_back(each.array);
   const auto added = addArrayStreams(

@@ -190,8 +190,8 @@ Result<bool> scanMcap(const std::filesystem::path& path, MessageListener& listen
   const auto file = ByteFile::open(path);
   if (!file) return file.error();
   if (file->read(0, kMcapMagic.size()) != kMcapMagic)
-    return errorAt({displayName(path), 0, 0}, heft::say("this is no MCAP file."),
-                   heft::say("Its first eight bytes are others."));
+    return errorAt({displayName(path), 0, 0}, heft::say("this is not an MCAP file."),
+                   heft::say("Its first eight bytes do not match."));
   return McapScan(*file, displayName(path), listener, findings).run(progress);
 }
 

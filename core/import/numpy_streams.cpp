@@ -349,8 +349,8 @@ Result<StreamSet> readNumpyStreams(const std::filesystem::path& path, const Fiel
   if (!odd.empty())
     set.findings.push_back({Severity::info,
                             "dataset_odd",
-                            heft::say("Left out, as they are no tables of numbers: {}.", fmt::join(odd, ", ")),
-                            heft::say("Save each quantity as an array of numbers with one row a sample."),
+                            heft::say("Skipped, since they are not tables of numbers: {}.", fmt::join(odd, ", ")),
+                            heft::say("Save each quantity as an array of numbers with one row per sample."),
                             {set.file, 0, 0}});
   const auto added = addArrayStreams(
       described,

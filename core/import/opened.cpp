@@ -44,7 +44,7 @@ std::optional<Error> refuseTwoScales(const MappingWishes& wishes, const Conventi
     if (key != nullptr)
       return errorAt({file, 0, 0},
                      heft::say("the map file scales {} by {}, and {} is stated, too.", target, factor, key),
-                     heft::say("State one of them."));
+                     heft::say("State only one of them."));
   }
   return std::nullopt;
 }
@@ -125,14 +125,13 @@ Result<Opened> openAll(const std::filesystem::path& path, FileKind kind, const I
   auto metaFile = options.metaFile;
   if (metaFile.empty() && std::filesystem::exists(metaFileOf(path), code)) metaFile = metaFileOf(path);
   if (metaFile.empty()) {
-    opened.findings.push_back(
-        {Severity::info,
-         "no_meta",
-         heft::say("There is no {} beside the recording; defaults hold: wrench of the sensor on the payload, gravity "
-                   "(0, 0, -9.81) m/s2.",
-                   displayName(metaFileOf(path).filename())),
-         {},
-         {displayName(path), 0, 0}});
+    opened.findings.push_back({Severity::info,
+                               "no_meta",
+                               heft::say("There is no {} beside the recording; defaults are used: wrench of the sensor "
+                                         "on the payload, gravity (0, 0, -9.81) m/s2.",
+                                         displayName(metaFileOf(path).filename())),
+                               {},
+                               {displayName(path), 0, 0}});
   } else {
     auto read = readMeta(metaFile, opened.findings);
     if (!read) return read.error();

@@ -85,8 +85,7 @@ void addFrankas(const std::vector<FieldName>& names, std::vector<SpelledPose>& o
   }
   if (elements.size() != 16 || elements.rbegin()->first != 15) return;
   SpelledPose pose{
-      {},   {}, SpelledPose::Turn::matrix, 8, heft::say("libfranka's pose of its end effector, a matrix by columns"),
-      false};
+      {}, {}, SpelledPose::Turn::matrix, 8, heft::say("libfranka's end-effector pose, a matrix by columns"), false};
   for (int row = 0; row < 3; ++row) {
     pose.place[row] = elements.at(12 + row);
     for (int column = 0; column < 3; ++column) pose.turn[3 * row + column] = elements.at(4 * column + row);

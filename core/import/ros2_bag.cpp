@@ -54,7 +54,7 @@ class SqliteScan {
     if (!topics || !messages)
       return errorAt({name_, 0, 0},
                      heft::say("this database holds no ROS 2 bag ({}).", printable(sqlite3_errmsg(database))),
-                     heft::say("Such a bag has the tables topics and messages."));
+                     heft::say("A bag has the tables topics and messages."));
     int state = SQLITE_ROW;
     while ((state = sqlite3_step(topics.get())) == SQLITE_ROW) {
       TopicInfo info;

@@ -92,7 +92,7 @@ class BagScan {
          "file_cut_off",
          heft::say("The bag is cut off or damaged at byte {} of {}; everything before that was read.", at,
                    file_.size()),
-         heft::say("The recorder was probably killed; 'rosbag reindex' mends the bag for other programs."),
+         heft::say("The recorder was probably killed; 'rosbag reindex' repairs the bag for other programs."),
          {name_, 0, 0}});
     return finish();
   }
@@ -182,7 +182,7 @@ Result<bool> scanRosBag(const std::filesystem::path& path, MessageListener& list
   if (!file) return file.error();
   if (file->read(0, kMagic.size()) != kMagic)
     return errorAt({displayName(path), 0, 0}, heft::say("this is a ROS bag of an old format."),
-                   heft::say("Bring it to format 2.0 with 'rosbag fix' first."));
+                   heft::say("Convert it to format 2.0 with 'rosbag fix' first."));
   return BagScan(*file, displayName(path), listener, findings).run(progress);
 }
 

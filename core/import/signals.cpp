@@ -29,7 +29,7 @@ void SignalReader::setAsideSparse() {
       return std::find(names.begin(), names.end(), column.column) != names.end();
     });
     joining_.note(Severity::info, "columns_set_aside",
-                  heft::say("{} missing in {} of {} samples and left aside.", what, missing, rows));
+                  heft::say("{} missing in {} of {} samples and not used.", what, missing, rows));
   };
   sparse(joining_.numbered("dq"), heft::say("The joint velocities are"));
   if (!joining_.numbered("q").empty()) return;
@@ -120,9 +120,9 @@ Signal SignalReader::read(const std::vector<std::string>& names) {
                   others, rows, joining_.nameOf(out.stream), publishers_.others(out.stream)));
   if (backwards > 0) {
     std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    joining_.noteOnce(Severity::warning, "time_sorted",
-                      heft::say("{} samples of {} were not in the order of their times and were sorted.", backwards,
-                                joining_.nameOf(out.stream)));
+    joining_.noteOnce(
+        Severity::warning, "time_sorted",
+        heft::say("{} samples of {} were not in time order and were sorted.", backwards, joining_.nameOf(out.stream)));
   }
   const auto before = order.size();
   order.erase(std::unique(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),

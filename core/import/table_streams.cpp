@@ -197,7 +197,7 @@ std::vector<double> toLabels(const std::vector<std::string>& cells, StreamSet& s
     set.findings.push_back(
         {Severity::warning,
          "label_unknown",
-         heft::say("\"{}\" is no label ({} such rows, read as not labelled).", printable(cells[first]), unknown),
+         heft::say("\"{}\" is not a label ({} such rows, read as not labelled).", printable(cells[first]), unknown),
          heft::say("Labels are free, contact or ignore."),
          {set.file, 0, 0}});
   return out;
@@ -270,7 +270,7 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
   if (!header) return header.error();
   const auto rowsAtMost = static_cast<std::size_t>(csv::countRows(*header));
   if (header->names.size() * rowsAtMost > kMaxStreamNumbers / 4)
-    return errorAt({set.file, 0, 0}, heft::say("the table holds more cells than can be held in memory."),
+    return errorAt({set.file, 0, 0}, heft::say("the table holds more cells than fit in memory."),
                    heft::say("Export fewer columns or a shorter segment."));
   std::vector<std::vector<std::string>> cells(header->names.size());
   std::vector<csv::Field> fields(header->names.size());
@@ -300,8 +300,8 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
          guessed.empty() ? heft::say("The first row looks like data, not like names; the columns are called column1 to "
                                      "column{}.",
                                      table.names.size())
-                         : heft::say("The first row looks like data, not like names; by the numbers the columns are "
-                                     "taken to be {}.",
+                         : heft::say("The first row looks like data, not like names; judging by the numbers, the "
+                                     "columns are taken to be {}.",
                                      guessed),
          heft::say("Put a row of names above it, or name the columns by their numbers, for instance with "
                    "--use fx=column2."),
@@ -365,17 +365,17 @@ Result<StreamSet> readJsonLines(const std::filesystem::path& path, const TimeCho
     }
     ++rows;
     if (rows * table.names.size() > kMaxStreamNumbers)
-      return errorAt({set.file, line, 0}, heft::say("the file holds more numbers than can be held in memory."),
+      return errorAt({set.file, line, 0}, heft::say("the file holds more numbers than fit in memory."),
                      heft::say("Record fewer values, or a shorter segment."));
   }
   for (auto& column : table.columns) column.resize(rows, kNoNumber);
   if (rows == 0)
     return errorAt({set.file, firstBad, 0}, heft::say("no line of the file is a JSON object."),
-                   heft::say("JSON recordings have one object a line."));
+                   heft::say("JSON recordings have one object per line."));
   if (bad > 0)
     set.findings.push_back({Severity::warning,
                             "line_damaged",
-                            heft::say("{} of {} lines are no JSON objects and were left out.", bad, rows + bad),
+                            heft::say("{} of {} lines are not JSON objects and were left out.", bad, rows + bad),
                             {},
                             {set.file, firstBad, 0}});
   const auto done = table.toStreams(set, time);

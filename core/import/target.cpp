@@ -65,7 +65,7 @@ std::optional<Error> checkTarget(const std::string& name, const std::string& whe
   const bool part = std::find(kParts.begin(), kParts.end(), name) != kParts.end();
   if (part || isColumn(name) || name == kDemonstration) return std::nullopt;
   return errorAt(
-      {where, 0, 0}, heft::say("\"{}\" is no column of a recording.", printable(name)),
+      {where, 0, 0}, heft::say("\"{}\" is not a column of a recording.", printable(name)),
       heft::say("Known are time, q1 to q7, dq1 to dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, ax, ay, "
                 "az, and the groups joints, velocities, position, quaternion, rotation, wrench, accelerometer, "
                 "gyroscope, and demo."));

@@ -318,7 +318,7 @@ void splitFrames(TextTable& table, const std::string& file, Findings& findings) 
   if (aside > 0)
     findings.push_back({Severity::warning,
                         "frame_missing",
-                        heft::say("{} rows have no {} and were set aside.", aside, printable(table.names[*label])),
+                        heft::say("{} rows have no {} and were left out.", aside, printable(table.names[*label])),
                         {},
                         {file, 0, 0}});
   table = std::move(out);

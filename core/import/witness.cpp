@@ -22,20 +22,20 @@ void Witness::read(SignalReader& reader, Clocks& clocks, std::size_t wrench) {
         std::ranges::none_of(joining_.used, [&](auto other) { return joining_.streams[other].file == stream.file; });
     const bool epoch = !stream.received.empty() && 1e-9 * static_cast<double>(stream.received[0]) > kEpoch;
     if (clocks.anyShift() || (foreign && !epoch && !clocks.offsetStated(s)) || !clocks.admit(s, stamps))
-      return forget(heft::say("its clock is another one"));
-    if (clocks.restartsAt(s, clocks.timesOf(s))) return forget(heft::say("its times start again in the middle"));
+      return forget(heft::say("it is on another clock"));
+    if (clocks.restartsAt(s, clocks.timesOf(s))) return forget(heft::say("its times restart in the middle"));
   }
   accelerometer_ = reader.read({"ax", "ay", "az"});
   gyroscope_ = reader.read({"imu_wx", "imu_wy", "imu_wz"});
   if (gyroscope_.nanoseconds != accelerometer_.nanoseconds) gyroscope_ = {};
-  if (accelerometer_.nanoseconds.size() < 2) forget(heft::say("it has hardly any samples"));
+  if (accelerometer_.nanoseconds.size() < 2) forget(heft::say("it has too few samples"));
 }
 
 void Witness::forget(const std::string& why) {
   if (std::none_of(joining_.columns.begin(), joining_.columns.end(), ofWitness)) return;
   accelerometer_ = gyroscope_ = {};
   std::erase_if(joining_.columns, ofWitness);
-  joining_.note(Severity::info, "accelerometer_unused", heft::say("The accelerometer was left aside: {}.", why));
+  joining_.note(Severity::info, "accelerometer_unused", heft::say("The accelerometer was not used: {}.", why));
 }
 
 void Witness::align(const Signal& wrench) {
@@ -47,7 +47,7 @@ void Witness::align(const Signal& wrench) {
   if (!gyroscope_.empty()) gyroscope_.time.array() += delay;
   joining_.note(
       Severity::info, "accelerometer_shifted",
-      heft::say("The accelerometer's times were shifted by {:.4f} s, where the force follows it best.", delay));
+      heft::say("The accelerometer's times were shifted by {:.4f} s, where it matches the force best.", delay));
 }
 
 void Witness::limit(double& from, double& to) const {

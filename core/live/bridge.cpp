@@ -40,7 +40,7 @@ void BridgeSource::run(const std::stop_token& stopping) {
       talk(stopping);
       client_.reset();
       if (stopping.stop_requested()) return;
-      setState(LinkState::lost, heft::say("The connection to {}:{} broke; it is tried again.", host_, port_));
+      setState(LinkState::lost, heft::say("The connection to {}:{} was lost; reconnecting.", host_, port_));
     } else if (status().state == LinkState::lost) {
       setState(LinkState::lost, made.error().message);
     } else {
@@ -63,9 +63,10 @@ bool BridgeSource::talk(const std::stop_token& stopping) {
       heard = now;
     } else if (now - heard > kSilence) {
       count([&](SourceStatus& status) {
-        status.text = status.topics.empty()
-                          ? heft::say("{} is connected, but no topic with joint states or a wrench sends.", status.name)
-                          : heft::say("{} is connected, but its topics send nothing.", status.name);
+        status.text =
+            status.topics.empty()
+                ? heft::say("{} is connected, but no topic with joint states or a wrench is publishing.", status.name)
+                : heft::say("{} is connected, but its topics publish nothing.", status.name);
       });
       heard = now;
     }

@@ -95,7 +95,7 @@ void FieldMapper::noteOthers(const std::string& topic) {
   for (const auto& set : sets)
     text += (text.empty() ? "" : "; ") + printable(fmt::format("{}", fmt::join(set, ", ")), 200);
   std::erase_if(notes_, [&](const std::string& note) { return note.starts_with(topic + ": "); });
-  noteOnce(heft::say("{}: several publishers send on this topic ({}); the arm's joints are taken.", topic, text));
+  noteOnce(heft::say("{}: several publishers send on this topic ({}); the arm's joints are used.", topic, text));
 }
 
 /// Says so where a topic has the poses of more than one frame.
@@ -121,7 +121,7 @@ void FieldMapper::takeMotion(const std::string& topic, const Places& places, con
   if (sample.q && pick(places.velocities, values, numbers))
     sample.dq = numbers;
   else if (sample.q && !places.velocities.empty())
-    noteOnce(heft::say("The velocities of {} are no numbers; they were set aside and the joint angles differentiated.",
+    noteOnce(heft::say("The velocities of {} are not numbers; they were ignored and the joint angles differentiated.",
                        topic.empty() ? heft::say("the objects") : topic));
   std::array<double, 4> quaternion{};
   if (sample.q || !pick(places.quaternion, values, quaternion)) return;

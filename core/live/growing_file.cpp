@@ -49,8 +49,9 @@ Result<std::unique_ptr<GrowingFile>> GrowingFile::create(const std::filesystem::
     errno = EEXIST;
   }
   if (descriptor < 0 && errno == EEXIST)
-    return Error{heft::say("{} exists; a recording never replaces a file. Choose another name.", displayName(file))};
-  if (descriptor < 0) return Error{heft::say("{} cannot be made: {}.", displayName(file), std::strerror(errno))};
+    return Error{
+        heft::say("{} already exists; a recording never overwrites a file. Choose another name.", displayName(file))};
+  if (descriptor < 0) return Error{heft::say("{} cannot be created: {}.", displayName(file), std::strerror(errno))};
   flushFolderOf(file);
   return std::unique_ptr<GrowingFile>(new GrowingFile(file, descriptor, made));
 }
@@ -78,8 +79,8 @@ bool GrowingFile::take(Piece piece) {
   std::size_t bytes = piece.text.size();
   for (const auto& each : waiting_) bytes += each.text.size();
   if (problem_.empty() && bytes > kMost)
-    problem_ =
-        heft::say("{} cannot be written as fast as samples come. What is there can be read.", displayName(file_));
+    problem_ = heft::say("{} cannot be written as fast as samples arrive. What was written so far can be read.",
+                         displayName(file_));
   if (!problem_.empty()) return false;
   if (!piece.columns && !waiting_.empty() && !waiting_.back().columns)
     waiting_.back().text += piece.text;
@@ -109,12 +110,12 @@ std::string GrowingFile::flush() const {
   if (const int reason = flushToDisk(descriptor_); reason != 0) return cannotGrow(reason);
   struct stat status {};
   if (::fstat(descriptor_, &status) == 0 && status.st_nlink == 0)
-    return heft::say("{} was deleted while it was written.", displayName(file_));
+    return heft::say("{} was deleted while it was being written.", displayName(file_));
   return {};
 }
 
 std::string GrowingFile::cannotGrow(int reason) const {
-  return heft::say("{} cannot be written any further: {}. What is there can be read.", displayName(file_),
+  return heft::say("{} can no longer be written: {}. What was written so far can be read.", displayName(file_),
                    std::strerror(reason));
 }
 

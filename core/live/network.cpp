@@ -49,7 +49,7 @@ bool waitFor(int number, short events, double seconds) {
 
 Result<UdpSocket> UdpSocket::listening(const std::string& host, std::uint16_t port) {
   const auto addresses = resolve(host, port, SOCK_DGRAM);
-  if (!addresses) return unreachable(host, port, heft::say("is no address of this machine"));
+  if (!addresses) return unreachable(host, port, heft::say("is not an address of this machine"));
   UdpSocket out(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   const int room = 1 << 22;
   ::setsockopt(out.number_, SOL_SOCKET, SO_RCVBUF, &room, sizeof(room));

@@ -69,8 +69,8 @@ class RdtSource : public ThreadedSource {
         take(*bytes, now);
         heard = now;
       } else if (now - heard > kAskAgain) {
-        setState(LinkState::lost, heft::say("{} sends nothing. Is RDT enabled on its web page, and does no other "
-                                            "program take the stream? It serves one client only.",
+        setState(LinkState::lost, heft::say("{} sends nothing. Is RDT enabled on its web page? Is another program "
+                                            "using the stream? It serves only one client.",
                                             settings_.host));
         socket_->send(request(kRealTime));
         heard = now;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "core/base/file_replacement.h"
@@ -36,8 +37,8 @@ Result<Recorder> Recorder::create(const std::filesystem::path& csv, const Record
   if (std::filesystem::exists(metaFile, code)) {
     // One that says the same is as good: a program that was killed may have left it, or a person wrote it before.
     if (const auto old = readTextFile(metaFile); !old || *old != *text)
-      return Error{
-          heft::say("{} exists; a recording never replaces a file. Choose another name.", displayName(metaFile))};
+      return Error{heft::say("{} already exists; a recording never overwrites a file. Choose another name.",
+                             displayName(metaFile))};
   } else {
     if (const auto written = createTextFile(metaFile, *text); !written) return written.error();
     out.madeMeta_ = true;
@@ -47,14 +48,18 @@ Result<Recorder> Recorder::create(const std::filesystem::path& csv, const Record
 
 Recorder::~Recorder() {
   if (!disk_) return;
-  if (rows() > 0) {
-    handOver();
-    return;
+  try {
+    if (rows() > 0) {
+      handOver();
+      return;
+    }
+    // Empty files would only be in the next run's way.
+    disk_->forget();
+    std::error_code code;
+    if (madeMeta_) std::filesystem::remove(metaFileOf(file_), code);
+  } catch (const std::exception&) {
+    // Out of memory: what was written before is on the disk.
   }
-  // Empty files would only be in the next run's way.
-  disk_->forget();
-  std::error_code code;
-  if (madeMeta_) std::filesystem::remove(metaFileOf(file_), code);
 }
 
 void Recorder::begin() {

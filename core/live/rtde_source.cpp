@@ -41,7 +41,7 @@ class RtdeSource : public ThreadedSource {
         if (const auto ready = setUp(stopping); ready) {
           listen(stopping);
           link_->send(rtde::package(rtde::kPause, {}));
-          why = heft::say("The connection to {}:{} broke; it is tried again.", host_, port_);
+          why = heft::say("The connection to {}:{} was lost; reconnecting.", host_, port_);
         } else {
           why = ready.error().message;
         }
@@ -84,12 +84,10 @@ class RtdeSource : public ThreadedSource {
       if (received->type == type) return received->content;
       if (received->type == rtde::kTextMessage) said = rtde::textOf(received->content);
     }
-    return Error{
-        said.empty()
-            ? heft::say("{}:{} does not answer as RTDE does. Is it a controller of Universal Robots, and is RTDE "
-                        "enabled in its security settings?",
-                        host_, port_)
-            : heft::say("{}:{} says: {}", host_, port_, said)};
+    return Error{said.empty() ? heft::say("{}:{} does not answer as RTDE. Is it a Universal Robots controller, and is "
+                                          "RTDE enabled in its security settings?",
+                                          host_, port_)
+                              : heft::say("{}:{} says: {}", host_, port_, said)};
   }
 
   Result<bool> setUp(const std::stop_token& stopping) {
@@ -130,9 +128,9 @@ class RtdeSource : public ThreadedSource {
       status.topics = recipe_.outputs;
       status.notes.clear();
       if (!wrench)
-        status.notes.push_back(heft::say(
-            "This controller does not send ft_raw_wrench (e-Series from 5.9 on do), and from actual_TCP_force "
-            "it has taken the payload already: the wrench must come from a sensor of its own."));
+        status.notes.push_back(
+            heft::say("This controller does not send ft_raw_wrench (e-Series do from 5.9 on), and its actual_TCP_force "
+                      "already has the payload subtracted: the wrench must come from a separate sensor."));
     });
   }
 

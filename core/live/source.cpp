@@ -121,7 +121,7 @@ std::optional<double> positive(const std::string& text) {
 
 Error badAddress(const std::string& address) {
   return Error{
-      heft::say("\"{}\" is no live source. Sources are rtde:HOST[:PORT], rdt:HOST[:PORT], foxglove:HOST[:PORT], "
+      heft::say("\"{}\" is not a live source. Sources are rtde:HOST[:PORT], rdt:HOST[:PORT], foxglove:HOST[:PORT], "
                 "rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:FILE and virtual:SEED.",
                 printable(address, 100))};
 }
@@ -211,7 +211,7 @@ Source rdtSource(Address address, const HostAndPort& at) {
   }
   if (auto failure = address.unknownParameter()) return *failure;
   if ((settings.countsPerNewton > 0.0) != (settings.countsPerNewtonMetre > 0.0))
-    return Error{heft::say("cpf and cpt, the counts per newton and per newton metre, belong together.")};
+    return Error{heft::say("cpf and cpt, the counts per newton and per newton metre, must be given together.")};
   return makeRdtSource(settings);
 }
 

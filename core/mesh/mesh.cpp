@@ -248,7 +248,7 @@ Result<Mesh> loadMesh(const fs::path& file) {
           heft::say("{}: Meshes of kind \"{}\" are not known. Use .stl, .obj, .ply, .dae or .glb.", name, extension)};
     }
     if (extension == ".ply" && !hasPlyHeader(file)) {
-      return Error{heft::say("{}: The mesh cannot be read: it has no PLY header that ends.", name)};
+      return Error{heft::say("{}: The mesh cannot be read: its PLY header never ends.", name)};
     }
     unsigned steps = aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_SortByPType |
                      aiProcess_JoinIdenticalVertices | aiProcess_GenSmoothNormals;

@@ -55,16 +55,15 @@ void hearAccelerometer(const Eigen::Matrix3Xd& given, const Eigen::Matrix3Xd& ra
   if (const auto turned = mountFor(-given); pointsTheOtherWay(mount, turned)) {
     mount = turned;
     readings = -given;
-    note(
-        Severity::info, "accelerometer_gravity",
-        heft::say("The accelerometer reports gravity in place of what is felt (at rest it points down); its signs were "
-                  "turned."),
-        {}, motion);
+    note(Severity::info, "accelerometer_gravity",
+         heft::say("The accelerometer reports gravity instead of specific force (at rest it points down); its signs "
+                   "were inverted."),
+         {}, motion);
   }
   if (!mount) {
     note(Severity::info, "accelerometer_unused",
          heft::say("The accelerometer was not used: its readings do not follow how gravity turns in the sensor."),
-         heft::say("Is it on the tool side of the sensor, and does it read what is felt, gravity included?"), motion);
+         heft::say("Is it on the tool side of the sensor, and does it read specific force, gravity included?"), motion);
     return;
   }
   if (!motion.originAccelerationKnown) {
@@ -88,10 +87,10 @@ void hearAccelerometer(const Eigen::Matrix3Xd& given, const Eigen::Matrix3Xd& ra
          {}, motion);
   else
     note(Severity::warning, "accelerometer_disagrees",
-         heft::say("The accelerometer differs from the motion by {:.2g} m/s2 rms, wherever it is mounted: the tool was "
-                   "accelerated otherwise than the joints or poses say.",
+         heft::say("The accelerometer differs from the motion by {:.2g} m/s2 rms, wherever it is mounted: the tool "
+                   "accelerated differently from what the joints or poses say.",
                    mount->rms),
-         heft::say("Check the direction of gravity, the clocks, and whether something between arm and tool gives way."),
+         heft::say("Check the direction of gravity, the clocks, and whether something between arm and tool is loose."),
          motion);
 }
 

@@ -408,8 +408,8 @@ Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, con
     return Error{heft::say("The low-pass cutoff cannot be {} Hz; give a frequency above zero.", options.cutoffHz)};
   const Eigen::Index needed = std::max<Eigen::Index>(10, savitzkyGolay ? window : 0);
   if (recording.rows() < needed)
-    return Error{heft::say("The recording has {} rows; at least {} are needed to know how the tool moved.",
-                           recording.rows(), needed)};
+    return Error{heft::say("The recording has {} rows; at least {} are needed to compute the motion.", recording.rows(),
+                           needed)};
   const UniformGrid grid = gridFor(recording.time);
   if (grid.size > 20 * recording.rows() + 1000) {
     const Eigen::Index n = recording.rows();

@@ -317,10 +317,10 @@ struct OnlineEstimator::Impl {
     const double time = blocks().time[static_cast<std::size_t>(change->from)];
     events.push_back({Severity::warning,
                       "tool_changed",
-                      heft::say("The tool changed at {:.1f} s: {:.2f} kg became {:.2f} kg. The estimate starts anew "
+                      heft::say("The tool changed at {:.1f} s: {:.2f} kg became {:.2f} kg. The estimate restarts "
                                 "with what came after.",
                                 time, learner.solution().phi(0), change->mass),
-                      heft::say("Estimate before and after apart."),
+                      heft::say("Estimate the parts before and after separately."),
                       {}});
     Tool before{learner, {}};
     for (auto& lane : lanes) {
@@ -339,7 +339,7 @@ struct OnlineEstimator::Impl {
     const double time = blocks().time[static_cast<std::size_t>(from)];
     events.push_back({Severity::warning,
                       "tool_back",
-                      heft::say("From {:.1f} s on the tool is the one from before, of {:.2f} kg.", time,
+                      heft::say("From {:.1f} s on, the tool is again the earlier one of {:.2f} kg.", time,
                                 other->learner.solution().phi(0)),
                       {},
                       {}});
@@ -400,7 +400,7 @@ void OnlineEstimator::Impl::fillState() const {
     state.findings.push_back(
         {Severity::warning,
          "samples_dropped",
-         heft::say("{} samples were not usable: not finite, without motion, or with a time that does not rise.",
+         heft::say("{} samples were not usable: not finite, without motion, or with a time that does not increase.",
                    dropped),
          heft::say("Check the source."),
          {}});
@@ -410,10 +410,9 @@ void OnlineEstimator::Impl::fillState() const {
     state.findings.push_back(
         {Severity::warning,
          "stamps_jitter",
-         heft::say(
-             "The samples' time stamps jitter by {:.2g} ms at steps of {:.2g} ms: accelerations are not to be had "
-             "from such a motion.",
-             1e3 * scatter.off, 1e3 * scatter.step),
+         heft::say("The samples' time stamps jitter by {:.2g} ms at steps of {:.2g} ms: no accelerations can be "
+                   "computed from such a motion.",
+                   1e3 * scatter.off, 1e3 * scatter.step),
          heft::say("Let the source stamp its samples when they are measured, not when they are sent."),
          {}});
   const bool agrees = !learner.estimated() || fitAgrees();
@@ -439,13 +438,13 @@ void OnlineEstimator::Impl::fillState() const {
     state.identifiability = assess(learner.total(), learner.prior(), solution, state.std, learner.told());
     for (const auto& finding : learner.findings()) state.findings.push_back(finding);
     if (state.contactDuration > state.usedDuration)
-      state.findings.push_back({Severity::warning,
-                                "mostly_contact",
-                                heft::say("{:.1f} s looked like contact and were left out, {:.1f} s were free: trust "
-                                          "is low.",
-                                          state.contactDuration, state.usedDuration),
-                                heft::say("Move the tool without touching anything."),
-                                {}});
+      state.findings.push_back(
+          {Severity::warning,
+           "mostly_contact",
+           heft::say("{:.1f} s look like contact and were excluded, {:.1f} s were free: trust is low.",
+                     state.contactDuration, state.usedDuration),
+           heft::say("Move the tool without touching anything."),
+           {}});
     const LaneBlocks& newest = lanes[chosen].newest;
     if (newest.size() > 0) {
       double least = INFINITY;
@@ -466,7 +465,7 @@ OnlineEstimator::~OnlineEstimator() = default;
 Result<OnlineEstimator> OnlineEstimator::create(const RecordingMeta& meta, const RobotModel* robot,
                                                 const OnlineOptions& options) {
   if (robot && robot->dof() > 7)
-    return Error{heft::say("The robot \"{}\" has {} joints; at most 7 can be followed.", robot->name(), robot->dof())};
+    return Error{heft::say("The robot \"{}\" has {} joints; at most 7 are supported.", robot->name(), robot->dof())};
   if (robot)
     if (const auto link = mountLink(meta.mount, *robot); !link) return link.error();
   if (!(options.cutoffHz >= 0.0))

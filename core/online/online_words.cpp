@@ -80,7 +80,7 @@ void judgeExcitation(OnlineState& state) {
     }
   state.inertia = judged(weakest({id.inertia[0][0], id.inertia[1][1], id.inertia[2][2]}), inertia < kGoodInertia,
                          "Inertia", fmt::format("± {:.0f} %", 196.0 * inertia),
-                         fmt::format("Turn the tool faster, to and fro about its {} axis.", "xyz"[axis]));
+                         fmt::format("Rotate the tool faster, back and forth about its {} axis.", "xyz"[axis]));
 }
 
 }  // namespace heft

@@ -70,12 +70,12 @@ void reportRepairs(const SurfaceReport& report, const Location& where, const std
   };
   if (report.turnedTriangles > 0)
     add(Severity::warning, "mesh_orientation",
-        heft::say("{}: {} triangles pointed the other way than their neighbours and were turned.", name,
+        heft::say("{}: {} triangles faced the opposite way to their neighbours and were flipped.", name,
                   report.turnedTriangles),
         heft::say("Recompute the normals in the program that wrote the mesh."));
   if (report.turnedBodies > 0)
     add(Severity::warning, "mesh_inside_out",
-        heft::say("{} is inside-out ({} of {} closed pieces); it was turned round.", name, report.turnedBodies,
+        heft::say("{} is inside-out ({} of {} closed pieces); it was flipped.", name, report.turnedBodies,
                   report.bodies),
         heft::say("Flip the normals in the program that wrote the mesh if this is not wanted."));
   if (report.openEdges > 0)
@@ -202,7 +202,7 @@ Result<BodySamples> sampleMesh(const ShapeBody& body, const std::string& name, F
     findings.push_back(
         {Severity::info,
          "mesh_overlap",
-         heft::say("{}: {:.0f} % of the volume is counted again because parts overlap.", name, 100.0 * overlap),
+         heft::say("{}: {:.0f} % of the volume is counted twice because parts overlap.", name, 100.0 * overlap),
          {},
          where});
   auto result = samplePieces(mainPieces(std::move(closed.pieces), moments(3, 3)), moments);

@@ -84,7 +84,7 @@ std::string whyInvalidBody(const ShapeBody& body) {
   const KindInfo& info = infoOf(body.kind);
   if (!body.X_SB.matrix().allFinite()) return heft::say("the pose has a component that is not a number.");
   if (!(body.X_SB.linear().transpose() * body.X_SB.linear()).isIdentity(1e-6) || body.X_SB.linear().determinant() < 0)
-    return heft::say("the pose is not a rotation and a shift.");
+    return heft::say("the pose is not a rotation and a translation.");
   if (body.kind == BodyKind::mesh) {
     if (body.file.empty() && !body.mesh) return heft::say("the mesh needs a file.");
     if (!(body.unit > 0.0) || !std::isfinite(body.unit))
@@ -112,7 +112,7 @@ std::string whyInvalidBody(const ShapeBody& body) {
           "and {} m are given.",
           body.dims[0], body.dims[1]);
     if (body.kind == BodyKind::tube && body.wall)
-      return heft::say("a tube is hollow already: leave out the wall, or take a cylinder.");
+      return heft::say("a tube is hollow already: leave out the wall, or use a cylinder.");
   }
   if (body.wall) {
     if (!std::isfinite(*body.wall) || *body.wall <= 0.0)

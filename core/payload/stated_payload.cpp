@@ -77,7 +77,7 @@ Result<StatedPayload> statedPayloadFromJson(const json& object, const std::strin
   auto partial = partialPayloadFromJson(object, where);
   if (!partial) return partial.error();
   if (partial->empty())
-    return Error{fmt::format("{} states neither mass_kg, com_m nor inertia_com_kgm2; one at least is needed.", where)};
+    return Error{fmt::format("{} states neither mass_kg, com_m nor inertia_com_kgm2; at least one is needed.", where)};
   StatedPayload stated;
   stated.source = where;
   stated.mass = partial->mass;
@@ -90,7 +90,7 @@ Result<StatedPayload> statedPayloadFromJson(const json& object, const std::strin
                       where)};
     const Matrix3d& I = *partial->inertiaCom;
     if (const auto check = checkPhysical({*partial->mass, Vector3d::Zero(), I}); !check.physical)
-      return Error{fmt::format("{}: no real body has these numbers: {}", where, check.reason)};
+      return Error{fmt::format("{}: these values are physically impossible: {}", where, check.reason)};
     stated.spread = (0.5 * I.trace() * Matrix3d::Identity() - I) / *partial->mass;
     *stated.spread += kThinnest * kThinnest * Matrix3d::Identity();
   }

@@ -69,8 +69,8 @@ void undoTwist(const Examined& examined, const PlainForm& plain) {
   if (!plain.twistIsLost()) return plain.undoTwist(twist);
   twist.resize(0, 6);
   examined.note(Severity::info, "columns_set_aside", examined.column(examined.map.twist[0]),
-                heft::say("vx, vy, vz, wx, wy, wz are left aside: the pose is the base's in the sensor, and which "
-                          "point and axes the velocities belong to is not stated."));
+                heft::say("vx, vy, vz, wx, wy, wz are not used: the pose is the base's in the sensor, and the "
+                          "reference point and axes of the velocities are not stated."));
 }
 
 }  // namespace

@@ -198,7 +198,7 @@ class Mapper {
 
   Error duplicate(long field, long first) const {
     const auto& meaning = printable(names_[static_cast<std::size_t>(field) - 1]);
-    return errorAt(at(field), heft::say("column {} is there twice: also as column {}.", meaning, first),
+    return errorAt(at(field), heft::say("column {} appears twice: also as column {}.", meaning, first),
                    heft::say("Rename or delete one of them."));
   }
 
@@ -296,29 +296,28 @@ class Mapper {
     if (!missing.empty() || !neither.empty()) return missingColumns(missing, neither);
 
     if (anyOf(map_.joints) && !joints)
-      setAside(Role::joint,
-               heft::say("Column {} is missing, so the joints are set aside and the sensor's pose is used.",
-                         fmt::join(noJoints, ", ")));
+      setAside(Role::joint, heft::say("Column {} is missing, so the joints are ignored and the sensor's pose is used.",
+                                      fmt::join(noJoints, ", ")));
     if (anyOf(map_.quaternion) && !orientation)
       setAside(Role::quaternion,
-               heft::say("Column {} is missing, so the sensor's pose is set aside and the joints are used.",
+               heft::say("Column {} is missing, so the sensor's pose is ignored and the joints are used.",
                          fmt::join(noQuaternion, ", ")));
     if (anyOf(map_.position) && (halfPosition || !orientation))
       setAside(Role::position,
-               orientation ? heft::say("Column {} is missing, so the position is set aside and the joints are used.",
+               orientation ? heft::say("Column {} is missing, so the position is ignored and the joints are used.",
                                        fmt::join(noPosition, ", "))
-                           : heft::say("A position without an orientation is set aside."));
+                           : heft::say("A position without an orientation is ignored."));
     if (!map_.velocities.empty() &&
         (map_.velocities.size() != map_.joints.size() || !missingOf(Role::jointVelocity, map_.velocities).empty()))
       setAside(Role::jointVelocity,
-               heft::say("The joint velocities do not match the joints one by one and are set aside."));
+               heft::say("The joint velocities do not match the joints one by one and are ignored."));
     takeRatesOfInertialSensor();
     if (anyOf(map_.accelerometer) && !missingOf(Role::accelerometer, map_.accelerometer).empty())
-      setAside(Role::accelerometer, heft::say("The accelerometer lacks an axis and is set aside."));
+      setAside(Role::accelerometer, heft::say("The accelerometer lacks an axis and is ignored."));
     if (anyOf(map_.gyroscope) && !missingOf(Role::gyroscope, map_.gyroscope).empty())
-      setAside(Role::gyroscope, heft::say("The gyroscope lacks an axis and is set aside."));
+      setAside(Role::gyroscope, heft::say("The gyroscope lacks an axis and is ignored."));
     if (anyOf(map_.twist) && (!missingOf(Role::twist, map_.twist).empty() || !orientation))
-      setAside(Role::twist, heft::say("The twist is incomplete or without an orientation and is set aside."));
+      setAside(Role::twist, heft::say("The twist is incomplete or without an orientation and is ignored."));
     return std::nullopt;
   }
 
@@ -360,8 +359,8 @@ class Mapper {
     }
     if (count == 0) return;
     note(Severity::info, "unknown_columns", first,
-         count == 1 ? heft::say("{} column is kept aside unused: {}.", count, unknown.front())
-                    : heft::say("{} columns are kept aside unused: {}{}.", count, fmt::join(unknown, ", "),
+         count == 1 ? heft::say("{} column is kept but not used: {}.", count, unknown.front())
+                    : heft::say("{} columns are kept but not used: {}{}.", count, fmt::join(unknown, ", "),
                                 count > unknown.size() ? ", ..." : ""));
   }
 

@@ -47,8 +47,8 @@ class RecordingParser {
     const auto lineCount = csv::countRows(header_);
     if (const auto columns = header_.names.size(); columns * static_cast<std::size_t>(lineCount) > kMaxNumbers)
       return errorAt({name_, 0, 0},
-                     heft::say("{} rows of {} columns are more than the {} million numbers that can be held.",
-                               lineCount, columns, kMaxNumbers / 1'000'000),
+                     heft::say("{} rows of {} columns exceed the {} million numbers that fit in memory.", lineCount,
+                               columns, kMaxNumbers / 1'000'000),
                      heft::say("Split the recording, or keep fewer columns and a lower rate."));
     prepareFields(lineCount);
     auto rows = csv::readRows(header_, fields_, name_, progress);
@@ -172,8 +172,7 @@ class RecordingParser {
 
   void clear(Role role, const Missing& missing, const std::string& what) {
     note(Severity::warning, "columns_set_aside", missing.line,
-         heft::say("{} missing in {} of {} rows and left aside.", what, missing.rows, lines_.size()), {},
-         missing.field);
+         heft::say("{} missing in {} of {} rows and not used.", what, missing.rows, lines_.size()), {}, missing.field);
     map_.setAside(role);
     switch (role) {
       case Role::joint:
@@ -271,10 +270,10 @@ class RecordingParser {
       if (!recording_.labels.back() && !labelCells_[k].empty() && unknown++ == 0) first = k;
     }
     if (unknown > 0)
-      note(
-          Severity::warning, "label_unknown", lines_[first],
-          heft::say("\"{}\" is no label ({} such rows, read as not labelled).", printable(labelCells_[first]), unknown),
-          heft::say("Labels are free, contact or ignore."), map_.label);
+      note(Severity::warning, "label_unknown", lines_[first],
+           heft::say("\"{}\" is not a label ({} such rows, read as not labelled).", printable(labelCells_[first]),
+                     unknown),
+           heft::say("Labels are free, contact or ignore."), map_.label);
     labelCells_.clear();
   }
 
@@ -334,7 +333,7 @@ std::optional<Error> contractMisfit(std::string_view head, const std::string& na
         end == cell.data() && cell.size() <= 8 && cell.find_first_of("0123456789") == std::string_view::npos;
     if (!date && !unitBehind && !commas && !epoch && !unit) return std::nullopt;
     return errorAt({name, header->line + 1, map->time},
-                   heft::say("\"{}\" in column time is no number of seconds.", printable(cell, 40)));
+                   heft::say("\"{}\" in column time is not a number of seconds.", printable(cell, 40)));
   }
   return std::nullopt;
 }
@@ -356,7 +355,7 @@ Result<ReadRecording> checkRecording(Recording recording, NumberForm form) {
   std::vector<std::uint32_t> lines(static_cast<std::size_t>(checked.rows()), 0);
   const std::string file = checked.file;
   if (lines.empty())
-    return errorAt({file, 0, 0}, heft::say("there is no sample."), heft::say("Record again, or check the export."));
+    return errorAt({file, 0, 0}, heft::say("it contains no sample."), heft::say("Record again, or check the export."));
   const Examined examined{checked, map, file, lines, read.findings, false};
   if (auto failure = assumeRobot(examined, 0)) return *failure;
   if (auto failure = checkAll(examined, form)) return *failure;
@@ -388,14 +387,13 @@ Result<ReadRecording> readRecording(const std::filesystem::path& csv, const Read
   auto metaFile = options.metaFile;
   if (metaFile.empty() && std::filesystem::exists(metaFileOf(csv), ec)) metaFile = metaFileOf(csv);
   if (metaFile.empty()) {
-    findings.push_back(
-        {Severity::info,
-         "no_meta",
-         heft::say("There is no {} beside the recording; defaults hold: wrench of the sensor on the payload, "
-                   "gravity (0, 0, -9.81) m/s2.",
-                   displayName(metaFileOf(csv).filename())),
-         {},
-         {name, 0, 0}});
+    findings.push_back({Severity::info,
+                        "no_meta",
+                        heft::say("There is no {} beside the recording; defaults are used: wrench of the sensor on the "
+                                  "payload, gravity (0, 0, -9.81) m/s2.",
+                                  displayName(metaFileOf(csv).filename())),
+                        {},
+                        {name, 0, 0}});
   } else {
     auto read = readMeta(metaFile, findings);
     if (!read) return read.error();

@@ -269,7 +269,8 @@ class RowReader {
 }  // namespace
 
 Result<Header> readHeader(std::string_view text, const std::string& file) {
-  const std::string remedy = heft::say("A recording starts with a row of column names, then one row a sample.");
+  const std::string remedy =
+      heft::say("A recording starts with a row of column names, followed by one row per sample.");
   if (text.empty()) return errorAt({file, 0, 0}, heft::say("the file is empty."), remedy);
   if (auto other = otherFormat(text, file)) return *other;
   if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
@@ -290,8 +291,8 @@ Result<Header> readHeader(std::string_view text, const std::string& file) {
     if (!trimmed(line).empty()) break;
   }
   if (line.size() > kMaxHeaderBytes)
-    return errorAt({file, header.line, 0}, heft::say("the first line is {} MB long and no header.", line.size() >> 20),
-                   remedy);
+    return errorAt({file, header.line, 0},
+                   heft::say("the first line is {} MB long and not a header.", line.size() >> 20), remedy);
   header.body = text;
   header.separator = findSeparator(line);
   header.names = splitLine(line, header.separator);

@@ -159,7 +159,7 @@ class MetaReader {
     if (auto error = readVector(root, "", key.c_str(), "m/s2", meta_.gravity)) return error;
     const double size = meta_.gravity.norm();
     if (size > 100.0)
-      return fail(key, heft::say("{:.6g} m/s2 is no gravity on any planet", size),
+      return fail(key, heft::say("{:.6g} m/s2 is not the gravity of any planet", size),
                   heft::say("Give m/s2; on earth about [0, 0, -9.81]."));
     if (size < 9.7 || size > 9.9)
       note(Severity::warning, "gravity_unusual", key, heft::say("{:.6g} m/s2 is not the gravity on earth", size),
@@ -183,7 +183,8 @@ class MetaReader {
       note(Severity::warning, "known_mass_large", path + ".mass_kg",
            heft::say("{:.6g} kg is more than any arm carries", *known->mass), heft::say("Give kilograms, not grams."));
     if (known->com && known->com->norm() > 5.0)
-      return fail(path + ".com_m", heft::say("a centre of mass {:.6g} m from the sensor cannot be", known->com->norm()),
+      return fail(path + ".com_m",
+                  heft::say("a centre of mass {:.6g} m from the sensor is not plausible", known->com->norm()),
                   heft::say("Give metres, not millimetres."));
     if (known->mass && known->com && known->inertiaCom) {
       const auto check = checkPhysical({*known->mass, *known->com, *known->inertiaCom});
@@ -240,7 +241,7 @@ class MetaReader {
       for (std::size_t k = 0; k < meta_.marks.size(); ++k)
         if (meta_.marks[k].label != mark.label && mark.from < meta_.marks[k].to && meta_.marks[k].from < mark.to)
           note(Severity::warning, "marks_overlap", path, heft::say("overlaps marks[{}], which has another label", k),
-               heft::say("The later mark counts; correct their limits."));
+               heft::say("The later mark takes precedence; correct their limits."));
       meta_.marks.push_back(mark);
     }
     return std::nullopt;

@@ -11,7 +11,7 @@ Result<nlohmann::json> mergedMeta(const std::filesystem::path& file, const nlohm
   if (std::filesystem::exists(file)) {
     auto there = readJsonFile(file);
     if (!there) return there.error();
-    if (!there->is_object()) return Error{heft::say("{} is no setup file.", displayName(file))};
+    if (!there->is_object()) return Error{heft::say("{} is not a setup file.", displayName(file))};
     merged = std::move(*there);
   }
   merged.merge_patch(changes);

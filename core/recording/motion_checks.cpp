@@ -141,8 +141,8 @@ void checkAccelerometer(const Examined& examined) {
   readings.resize(0, 3);
   examined.recording.gyroscope.resize(0, 3);
   examined.note(Severity::info, "columns_set_aside", column,
-                heft::say("The accelerometer reads {:.3g} most of the time, neither 9.81 m/s2 nor 1 g, and is left "
-                          "aside: gravity was taken out of it, or it is no accelerometer.",
+                heft::say("The accelerometer reads {:.3g} most of the time, neither 9.81 m/s2 nor 1 g, and is not "
+                          "used: gravity was removed from it, or it is not an accelerometer.",
                           size));
 }
 

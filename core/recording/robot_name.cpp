@@ -27,7 +27,7 @@ Result<std::string> robotNamed(const std::string& text, const std::filesystem::p
     return std::filesystem::absolute(*found).lexically_normal().string();
   }
   if (!path.has_extension() && path.filename() == path)
-    return errorAt({where, 0, 0}, heft::say("\"{}\" is no robot that Heft knows.", printable(text)), remedy);
+    return errorAt({where, 0, 0}, heft::say("\"{}\" is not a robot that Heft knows.", printable(text)), remedy);
   const auto full = path.is_absolute() ? path : folder / path;
   std::error_code code;
   const auto absolute = std::filesystem::absolute(full, code);

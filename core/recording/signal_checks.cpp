@@ -212,7 +212,7 @@ class SignalChecker {
                    heft::say("The force starts at {:.2g} N and later spans {:.3g} N: the sensor was probably zeroed "
                              "with the payload on.",
                              start, range),
-                   heft::say("The estimated bias then holds the weight at that posture."));
+                   heft::say("The estimated bias then includes the weight in that posture."));
   }
 
   void noteTorqueUnit() {

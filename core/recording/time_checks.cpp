@@ -35,10 +35,9 @@ std::optional<Error> makeRise(const Examined& examined) {
       continue;
     }
     if (time(k) < latest)
-      return errorAt(
-          examined.at(k, field), heft::say("time falls from {} s to {} s.", latest, time(k)),
-          heft::say(
-              "Time must rise from row to row: split the file there if two recordings were joined, or sort the rows."));
+      return errorAt(examined.at(k, field), heft::say("time decreases from {} s to {} s.", latest, time(k)),
+                     heft::say("Time must increase from row to row: split the file there if two recordings were "
+                               "joined, or sort the rows."));
     if (repeated++ == 0) {
       first = k;
       keep.assign(static_cast<std::size_t>(rows), 1);
@@ -75,7 +74,7 @@ std::optional<Error> checkSteps(const Examined& examined) {
 
   // Nobody guides an arm for hours at one sample a second: such times are milliseconds or nanoseconds.
   if (median > kSlowestMotion || (median > 0.2 && time.size() > 1000))
-    return errorAt(examined.at(1, field), heft::say("the time rises by {:.6g} s from row to row (median).", median),
+    return errorAt(examined.at(1, field), heft::say("the time increases by {:.6g} s from row to row (median).", median),
                    (median >= 1e5   ? heft::say("Write time in seconds, not nanoseconds or microseconds.")
                     : median >= 1e3 ? heft::say("Write time in seconds, not microseconds.")
                                     : heft::say("Write time in seconds, not milliseconds.")) +
@@ -85,9 +84,10 @@ std::optional<Error> checkSteps(const Examined& examined) {
                   heft::say("The rate would be {:.4g} Hz, more than wrist sensors give.", 1.0 / median),
                   heft::say("Check that time is in seconds."));
   if (median > 1.0 / kLowestRate * 1.001)
-    examined.note(Severity::warning, "rate_low", examined.column(field),
-                  heft::say("The rate is {:.3g} Hz (median); inertia needs about 100 Hz or more.", 1.0 / median),
-                  heft::say("Mass and centre of mass can still be had; record faster for the inertia."));
+    examined.note(
+        Severity::warning, "rate_low", examined.column(field),
+        heft::say("The rate is {:.3g} Hz (median); inertia needs about 100 Hz or more.", 1.0 / median),
+        heft::say("Mass and centre of mass can still be estimated; record at a higher rate for the inertia."));
 
   Eigen::Index gaps = 0;
   Eigen::Index longest = 0;
@@ -106,7 +106,7 @@ std::optional<Error> checkSteps(const Examined& examined) {
                         gaps, seconds(lost), seconds(steps(longest)), time(longest), seconds(median))
             : heft::say("{} gaps in time, together {}; the longest is {} at {:.6g} s, where steps are {} (median).",
                         gaps, seconds(lost), seconds(steps(longest)), time(longest), seconds(median)),
-        heft::say("Samples were lost there; the motion is bridged by interpolation."));
+        heft::say("Samples were lost there; the motion is interpolated across the gap."));
   }
 
   const double spread = (high - low) / median;
@@ -131,7 +131,7 @@ std::optional<Error> checkTime(const Examined& examined) {
     examined.note(
         Severity::info, "time_replaced", examined.column(examined.map.time),
         heft::say(
-            "The time of the standing poses is missing or does not rise; they are numbered 0, 1, 2, ... instead."));
+            "The time of the standing poses is missing or does not increase; they are numbered 0, 1, 2, ... instead."));
     return std::nullopt;
   }
   if (auto failure = makeRise(examined)) return failure;

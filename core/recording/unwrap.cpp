@@ -51,7 +51,7 @@ std::string unwrapped(const std::vector<int>& joints) {
   std::string names;
   for (std::size_t i = 0; i < joints.size(); ++i)
     names += (i == 0 ? "" : i + 1 == joints.size() ? heft::say(" and ") : ", ") + fmt::format("q{}", joints[i] + 1);
-  return heft::say("Angles that wrap around: whole turns were taken out of {}.", names);
+  return heft::say("Angles that wrap around: whole turns were removed from {}.", names);
 }
 
 }  // namespace heft

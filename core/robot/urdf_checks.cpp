@@ -296,7 +296,7 @@ class Checker {
     const std::string leader(mimic->attributeOr("joint"));
     if (leader != joint.attributeOr("name") && joints_.contains(leader)) return;
     warn(*mimic, "bad_mimic",
-         heft::say("joint \"{}\" mimics \"{}\", which is no other joint", joint.attributeOr("name"), leader),
+         heft::say("joint \"{}\" mimics \"{}\", which is not another joint", joint.attributeOr("name"), leader),
          heft::say("It is held at zero"));
   }
 
@@ -326,7 +326,7 @@ class Checker {
     }
     for (const auto& [name, link] : links_) {
       if (reached.contains(name)) continue;
-      warn(*link, "detached", heft::say("link \"{}\" is in a closed loop that hangs on nothing", name),
+      warn(*link, "detached", heft::say("link \"{}\" is in a closed loop that is connected to nothing", name),
            heft::say("It is left out"));
     }
   }

@@ -172,7 +172,7 @@ class Parser {
     found.name = readName();
     if (found.name.empty()) return fail(heft::say("an attribute's name is missing in <{}>.", element.name));
     if (element.attribute(found.name)) {
-      return fail(heft::say("attribute \"{}\" stands twice in <{}>.", found.name, element.name));
+      return fail(heft::say("attribute \"{}\" appears twice in <{}>.", found.name, element.name));
     }
     skipSpace();
     if (pos_ >= text_.size() || text_[pos_] != '=') return fail(heft::say("'=' is missing after \"{}\".", found.name));

@@ -295,13 +295,13 @@ void markTrouble(const std::vector<Trouble>& troubles, const WrenchRows& rows, S
       lasts += trouble.to - trouble.from;
       if (where.size() < kListed) where.push_back(heft::say("{:.2f} to {:.2f} s", trouble.from, trouble.to));
     }
-    const std::string all = stretches.size() > kListed ? heft::say("{} and {} more segments, {:.2g} s in all",
+    const std::string all = stretches.size() > kListed ? heft::say("{} and {} more segments, {:.2g} s in total",
                                                                    joined(where), stretches.size() - kListed, lasts)
                                                        : joined(where);
     findings.push_back({Severity::warning,
                         "sensor_trouble",
                         heft::say("{}: {}", all, reason),
-                        heft::say("What is there is left out; mark it as free to use it."),
+                        heft::say("It is excluded; mark it as free to use it."),
                         {}});
   }
 }

@@ -53,7 +53,7 @@ void leaveOutMarked(const Recording& recording, const WrenchRows& rows, SegmentB
 
 /// Why the blocks of a segment have their label, where no note says it.
 std::string reasonFor(SegmentKind kind, SegmentMode mode) {
-  if (mode == SegmentMode::all) return heft::say("Everything was asked for.");
+  if (mode == SegmentMode::all) return heft::say("All rows were requested.");
   if (mode == SegmentMode::marks) return heft::say("Not marked as contact.");
   if (kind == SegmentKind::contact) return heft::say("Force not explained by the motion.");
   if (kind == SegmentKind::standing) return heft::say("At rest, and a rigid tool explains the forces.");

@@ -24,7 +24,7 @@ class LessonReader {
   Result<Lesson> read(const json& file) {
     Lesson out;
     if (!file.is_object() || file.value("schema", json()) != json(kLessonSchema))
-      return Error{heft::say("{} is no lesson: its \"schema\" should be \"{}\".", name_, kLessonSchema)};
+      return Error{heft::say("{} is not a lesson: its \"schema\" should be \"{}\".", name_, kLessonSchema)};
     out.title = text(file, "title", "title");
     readRecording(file, out);
     readSteps(file, out);

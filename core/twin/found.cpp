@@ -35,7 +35,7 @@ const json* findCauseIn(const json& found, const std::string& id) {
 std::optional<Error> whatIsMissing(const json& found, const std::string& where,
                                    const std::vector<std::string>& without) {
   if (!isDiagnosis(found))
-    return Error{heft::say("{} is no result of a diagnosis; make one with heft diagnose REC --json FILE.", where)};
+    return Error{heft::say("{} is not a result of a diagnosis; make one with heft diagnose REC --json FILE.", where)};
   for (const auto& id : without)
     if (findCauseIn(found, id) == nullptr) {
       std::vector<std::string> names;

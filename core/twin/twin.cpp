@@ -100,7 +100,7 @@ std::vector<TwinCause> listCauses(const json& found, const TwinOptions& options)
   }
   if (found.contains("frame_mistake"))
     causes.push_back(
-        {"frame_mistake", false, heft::say("It is about what the file's numbers mean, not about the rig.")});
+        {"frame_mistake", false, heft::say("It is about what the file's numbers mean, not about the setup.")});
   return causes;
 }
 

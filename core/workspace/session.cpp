@@ -330,7 +330,7 @@ Result<Session> parseSession(std::string_view text, const std::string& name, con
   const Reader reader{name};
   const std::string schema = object.is_object() ? textOf(object, "schema") : std::string();
   if (!schema.starts_with(kSchema))
-    return Error{heft::say("{} is no session of Heft Studio: its \"schema\" should be \"{}{}\".", name, kSchema,
+    return Error{heft::say("{} is not a session of Heft Studio: its \"schema\" should be \"{}{}\".", name, kSchema,
                            kSessionVersion)};
   int version = 0;
   for (const char c : schema.substr(kSchema.size())) {

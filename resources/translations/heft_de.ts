@@ -4,14 +4,6 @@
 <context>
     <name>CauseCard</name>
     <message>
-        <source>Unseen error %1 before, %2 after, noise floor %3</source>
-        <translation>Ungesehener Fehler %1 vorher, %2 nachher, Rauschen %3</translation>
-    </message>
-    <message>
-        <source>Root mean square of what the model misses, on segments that it was not fitted to.</source>
-        <translation>Effektivwert dessen, was das Modell verfehlt, auf Abschnitten, an die es nicht angepasst wurde.</translation>
-    </message>
-    <message>
         <source>before</source>
         <translation>vorher</translation>
     </message>
@@ -56,10 +48,6 @@
         <translation>%1 von %2 ungesehenen Abschnitten</translation>
     </message>
     <message>
-        <source>Explained</source>
-        <translation>Erklärt</translation>
-    </message>
-    <message>
         <source>%1 % (95 %: %2 to %3 %)</source>
         <translation>%1 % (95 %: %2 bis %3 %)</translation>
     </message>
@@ -72,20 +60,12 @@
         <translation>Drehmoment</translation>
     </message>
     <message>
-        <source>Name in files</source>
-        <translation>Name in Dateien</translation>
-    </message>
-    <message>
         <source>Applied</source>
         <translation>Angewandt</translation>
     </message>
     <message>
         <source>Undo</source>
         <translation>Zurücknehmen</translation>
-    </message>
-    <message>
-        <source>The payload is estimated without this correction again</source>
-        <translation>Die Last wird wieder ohne diese Berichtigung geschätzt</translation>
     </message>
     <message>
         <source>Apply this correction</source>
@@ -127,10 +107,6 @@
         </translation>
     </message>
     <message>
-        <source>Far above what noise alone would give.</source>
-        <translation>Weit über dem, was Rauschen allein ergäbe.</translation>
-    </message>
-    <message>
         <source>Time [s]</source>
         <translation>Zeit [s]</translation>
     </message>
@@ -151,16 +127,8 @@
         <translation>Ursache gefunden</translation>
     </message>
     <message>
-        <source>Error on an held-out segment, before and after</source>
-        <translation>Fehler auf einem ungesehenen Abschnitt, vorher und nachher</translation>
-    </message>
-    <message>
         <source>The model was fitted without this segment. Grey: twice the sensor’s noise.</source>
         <translation>Das Modell wurde ohne diesen Abschnitt angepasst. Grau: das doppelte Rauschen des Sensors.</translation>
-    </message>
-    <message>
-        <source>Unseen error %1 → %2; dashed: noise floor %3.</source>
-        <translation>Ungesehener Fehler %1 → %2; gestrichelt: Rauschen %3.</translation>
     </message>
     <message>
         <source>Check on the robot:</source>
@@ -191,10 +159,6 @@
         <translation>Aufnehmen</translation>
     </message>
     <message>
-        <source>Whichever it is: unseen error %1 → %2; noise floor %3.</source>
-        <translation>Welche es auch ist: ungesehener Fehler %1 → %2; Rauschen %3.</translation>
-    </message>
-    <message>
         <source>Something unknown</source>
         <translation>Etwas Unbekanntes</translation>
     </message>
@@ -207,28 +171,12 @@
         <translation>Es bleibt etwas, das mit %1 zusammenhängt.</translation>
     </message>
     <message>
-        <source>What is left, by frequency [N/√Hz]</source>
-        <translation>Was bleibt, nach Frequenz [N/√Hz]</translation>
-    </message>
-    <message>
         <source>Frequency [Hz]</source>
         <translation>Frequenz [Hz]</translation>
     </message>
     <message>
-        <source>Grey: the level of the sensor’s fast noise. What rises far above it has no name yet.</source>
-        <translation>Grau: die Höhe des schnellen Sensorrauschens. Was weit darüber ragt, hat noch keinen Namen.</translation>
-    </message>
-    <message>
         <source> Most of it lies at %1 Hz.</source>
         <translation> Das meiste liegt bei %1 Hz.</translation>
-    </message>
-    <message>
-        <source>It makes up %1 % of what is left.</source>
-        <translation>Es macht %1 % dessen aus, was bleibt.</translation>
-    </message>
-    <message>
-        <source> No known cause accounts for it, so Heft gives it no name and corrects nothing.</source>
-        <translation> Keine bekannte Ursache erklärt es; deshalb gibt Heft ihm keinen Namen und berichtigt nichts.</translation>
     </message>
     <message>
         <source>What helps:</source>
@@ -251,24 +199,12 @@
         <translation>Bewegung zeigen</translation>
     </message>
     <message>
-        <source>The arm’s ghost makes the motion in the picture</source>
-        <translation>Der Schatten des Arms macht die Bewegung im Bild vor</translation>
-    </message>
-    <message>
-        <source>Leads to Record; what to do stays in view there</source>
-        <translation>Führt zum Aufnehmen; was zu tun ist, bleibt dort im Blick</translation>
-    </message>
-    <message>
         <source>Error in %1 [%2]</source>
         <translation>Fehler: %1 [%2]</translation>
     </message>
     <message>
         <source>Value and half of its 95 % interval; in files: %1</source>
         <translation>Wert und halber 95-%-Bereich; in Dateien: %1</translation>
-    </message>
-    <message>
-        <source>It fits the recording, but did not help on segments that were kept aside. Apply it only if what you find on the rig confirms it.</source>
-        <translation>Es passt zur Aufnahme, half aber auf zurückgelegten Abschnitten nicht. Wenden Sie es nur an, wenn Sie es am Aufbau bestätigt finden.</translation>
     </message>
     <message>
         <source>Forces fit less well with it there: %1 → %2.</source>
@@ -323,20 +259,12 @@
         <translation>Erklärt einen Teil</translation>
     </message>
     <message>
-        <source>What is left is %1 times the noise: something else is at work, too, or instead.</source>
-        <translation>Übrig bleibt das %1-Fache des Rauschens: Noch etwas anderes wirkt mit, oder statt dessen.</translation>
-    </message>
-    <message>
         <source>Show it below the arm</source>
         <translation>Unter dem Arm zeigen</translation>
     </message>
     <message>
         <source>Measured and simulated, without and with this cause, where it shows best</source>
         <translation>Gemessen und simuliert, ohne und mit dieser Ursache, wo man sie am besten sieht</translation>
-    </message>
-    <message>
-        <source>“Apply” takes out the first, “%1”, which fits a little better.</source>
-        <translation>„Anwenden“ nimmt die erste heraus, „%1“, die etwas besser passt.</translation>
     </message>
     <message>
         <source>Torques fit less well with it there: %1 → %2.</source>
@@ -357,6 +285,78 @@
     <message>
         <source>Error %1, noise floor %2; torque %3.</source>
         <translation>Fehler %1, Rauschen %2; Drehmoment %3.</translation>
+    </message>
+    <message>
+        <source>Held-out error %1 before, %2 after, noise floor %3</source>
+        <translation>Ungesehener Fehler %1 vorher, %2 nachher, Rauschen %3</translation>
+    </message>
+    <message>
+        <source>Root mean square of the residual on segments that were not used for fitting.</source>
+        <translation>Effektivwert des Rests auf Abschnitten, die nicht zur Anpassung dienten.</translation>
+    </message>
+    <message>
+        <source>Variance explained</source>
+        <translation>Erklärte Varianz</translation>
+    </message>
+    <message>
+        <source>ID in files</source>
+        <translation>Kennung in Dateien</translation>
+    </message>
+    <message>
+        <source>Estimates the payload again, without this correction</source>
+        <translation>Schätzt die Last wieder ohne diese Berichtigung</translation>
+    </message>
+    <message>
+        <source>Far above what noise alone would produce.</source>
+        <translation>Weit über dem, was Rauschen allein ergäbe.</translation>
+    </message>
+    <message>
+        <source>Error on a held-out segment, before and after</source>
+        <translation>Fehler auf einem ungesehenen Abschnitt, vorher und nachher</translation>
+    </message>
+    <message>
+        <source>Held-out error %1 → %2; dashed: noise floor %3.</source>
+        <translation>Ungesehener Fehler %1 → %2; gestrichelt: Rauschen %3.</translation>
+    </message>
+    <message>
+        <source>Either way: held-out error %1 → %2; noise floor %3.</source>
+        <translation>Welche es auch ist: ungesehener Fehler %1 → %2; Rauschen %3.</translation>
+    </message>
+    <message>
+        <source>Residual spectrum [N/√Hz]</source>
+        <translation>Spektrum des Rests [N/√Hz]</translation>
+    </message>
+    <message>
+        <source>Grey: the level of the sensor’s fast noise. What rises far above it is unexplained.</source>
+        <translation>Grau: die Höhe des schnellen Sensorrauschens. Was weit darüber ragt, ist unerklärt.</translation>
+    </message>
+    <message>
+        <source>It accounts for %1 % of the residual.</source>
+        <translation>Es macht %1 % des Rests aus.</translation>
+    </message>
+    <message>
+        <source> No known cause explains it, so Heft neither names nor corrects it.</source>
+        <translation> Keine bekannte Ursache erklärt es; deshalb benennt und berichtigt Heft es nicht.</translation>
+    </message>
+    <message>
+        <source>The arm’s ghost shows the motion in the 3D view</source>
+        <translation>Der Schatten des Arms zeigt die Bewegung in der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Goes to Record; the instruction stays visible there</source>
+        <translation>Führt zum Aufnehmen; was zu tun ist, bleibt dort im Blick</translation>
+    </message>
+    <message>
+        <source>It fits this recording but does not improve held-out segments. Apply it only if a check on the robot confirms it.</source>
+        <translation>Es passt zu dieser Aufnahme, verbessert ungesehene Abschnitte aber nicht. Wenden Sie es nur an, wenn eine Prüfung am Roboter es bestätigt.</translation>
+    </message>
+    <message>
+        <source>The residual is %1 times the noise: something else contributes, or is the real cause.</source>
+        <translation>Der Rest ist das %1-Fache des Rauschens: Etwas anderes wirkt mit oder ist die wahre Ursache.</translation>
+    </message>
+    <message>
+        <source>“Apply” corrects the first one, “%1”, which fits slightly better.</source>
+        <translation>„Anwenden“ berichtigt die erste, „%1“, die etwas besser passt.</translation>
     </message>
 </context>
 <context>
@@ -449,12 +449,12 @@
         <translation>Drehung des Sensors</translation>
     </message>
     <message>
-        <source>Speeds and sizes</source>
-        <translation>Geschwindigkeiten und Beträge</translation>
-    </message>
-    <message>
         <source>Other columns of the file</source>
         <translation>Andere Spalten der Datei</translation>
+    </message>
+    <message>
+        <source>Speeds and magnitudes</source>
+        <translation>Geschwindigkeiten und Beträge</translation>
     </message>
 </context>
 <context>
@@ -595,20 +595,8 @@
         <translation>Die Masse ist aus dieser Bewegung nicht bekannt.</translation>
     </message>
     <message>
-        <source>The inertia is not known from this motion; the file holds a plausible size only. Fine for slow work; record faster turns for fast work.</source>
-        <translation>Die Trägheit ist aus dieser Bewegung nicht bekannt; die Datei enthält nur eine plausible Größe. Gut für langsame Arbeit; nehmen Sie für schnelle Arbeit schnellere Drehungen auf.</translation>
-    </message>
-    <message>
-        <source>The inertia rests on your shape, not on your motion. Fine for slow work; record faster turns for fast work.</source>
-        <translation>Die Trägheit beruht auf Ihrer Form, nicht auf der Bewegung. Gut für langsame Arbeit; nehmen Sie für schnelle Arbeit schnellere Drehungen auf.</translation>
-    </message>
-    <message>
         <source>Physically consistent.</source>
         <translation>Ein wirklicher Körper kann diese Werte haben.</translation>
-    </message>
-    <message>
-        <source>Well inside the arm’s limit of %1 kg.</source>
-        <translation>Deutlich unter der Grenze des Arms von %1 kg.</translation>
     </message>
     <message>
         <source>end effector</source>
@@ -619,10 +607,6 @@
         <translation>Körper</translation>
     </message>
     <message>
-        <source>You chose to write numbers that nothing in the recording supports. %1</source>
-        <translation>Sie wollten Zahlen schreiben, die nichts in der Aufnahme stützt. %1</translation>
-    </message>
-    <message>
         <source>gravity compensation</source>
         <translation>Schwerkraftausgleich</translation>
     </message>
@@ -631,7 +615,23 @@
         <translation>Kalibrierung</translation>
     </message>
     <message>
-        <source>The tool centre point is written at the flange. Loading the file puts the controller’s TCP there: state it above if it is elsewhere.</source>
+        <source>The inertia is not known from this motion; the file contains only a plausible value. Fine for slow work; record faster rotations for fast work.</source>
+        <translation>Die Trägheit ist aus dieser Bewegung nicht bekannt; die Datei enthält nur einen plausiblen Wert. Gut für langsame Arbeit; nehmen Sie für schnelle Arbeit schnellere Drehungen auf.</translation>
+    </message>
+    <message>
+        <source>The inertia comes from your shape, not from your motion. Fine for slow work; record faster rotations for fast work.</source>
+        <translation>Die Trägheit kommt aus Ihrer Form, nicht aus der Bewegung. Gut für langsame Arbeit; nehmen Sie für schnelle Arbeit schnellere Drehungen auf.</translation>
+    </message>
+    <message>
+        <source>Well below the arm’s payload limit of %1 kg.</source>
+        <translation>Deutlich unter der Traglast des Arms von %1 kg.</translation>
+    </message>
+    <message>
+        <source>You chose to write numbers that the recording does not support. %1</source>
+        <translation>Sie wollten Zahlen schreiben, die nichts in der Aufnahme stützt. %1</translation>
+    </message>
+    <message>
+        <source>The tool centre point is written at the flange, and loading the file sets the controller’s TCP there. Enter it above if it is elsewhere.</source>
         <translation>Der Werkzeugmittelpunkt steht am Flansch. Beim Laden setzt die Steuerung ihren TCP dorthin: Liegt er woanders, geben Sie ihn oben an.</translation>
     </message>
 </context>
@@ -651,28 +651,43 @@
     </message>
 </context>
 <context>
-    <name>Joining</name>
+    <name>Glossary</name>
     <message>
-        <source>%1 deserves little trust, and with it the numbers from all of them.</source>
-        <translation>%1 verdient wenig Vertrauen, und damit auch die Werte aus allen zusammen.</translation>
+        <source>Plain words</source>
+        <translation>Einfach gesagt</translation>
     </message>
+    <message>
+        <source>In the field</source>
+        <translation>Im Fach</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Was es ist</translation>
+    </message>
+</context>
+<context>
+    <name>Joining</name>
     <message>
         <source>Look at its result alone, or leave it out.</source>
         <translation>Sehen Sie sich ihr eigenes Ergebnis an, oder lassen Sie sie weg.</translation>
     </message>
+    <message>
+        <source>%1 is not reliable, so neither are the numbers from all of them.</source>
+        <translation>%1 ist nicht verlässlich, und damit auch nicht die Werte aus allen zusammen.</translation>
+    </message>
     <message numerus="yes">
-        <source>These numbers rest on %n recordings together: %1.</source>
+        <source>Joint result from %n recordings: %1.</source>
         <translation>
-            <numerusform>Diese Werte beruhen auf %n Aufnahme: %1.</numerusform>
-            <numerusform>Diese Werte beruhen auf %n Aufnahmen zusammen: %1.</numerusform>
+            <numerusform>Gemeinsames Ergebnis aus %n Aufnahme: %1.</numerusform>
+            <numerusform>Gemeinsames Ergebnis aus %n Aufnahmen: %1.</numerusform>
         </translation>
     </message>
     <message>
-        <source>This recording contradicts the others or is not understood. Its numbers are its own.</source>
-        <translation>Diese Aufnahme widerspricht den anderen oder wird nicht verstanden. Ihre Werte sind nur ihre eigenen.</translation>
+        <source>This recording contradicts the others, or Heft cannot explain it. It keeps its own numbers.</source>
+        <translation>Diese Aufnahme widerspricht den anderen, oder Heft kann sie nicht erklären. Sie behält ihre eigenen Werte.</translation>
     </message>
     <message>
-        <source>Only recordings without applied corrections are joined; these numbers are of %1 alone.</source>
+        <source>Only recordings without applied corrections are joined; these numbers come from %1 alone.</source>
         <translation>Zusammengefasst werden nur Aufnahmen ohne angewandte Korrekturen; diese Werte stammen allein aus %1.</translation>
     </message>
 </context>
@@ -715,52 +730,24 @@
         <translation>Drehen Sie das Werkzeug schneller um seine Längsachse hin und her</translation>
     </message>
     <message>
-        <source>turn to and fro, faster</source>
-        <translation>schneller hin und her drehen</translation>
-    </message>
-    <message>
-        <source>Swing the tool sideways to and fro, once a second</source>
-        <translation>Schwenken Sie das Werkzeug seitlich hin und her, einmal je Sekunde</translation>
-    </message>
-    <message>
         <source>swing sideways</source>
         <translation>seitlich schwenken</translation>
-    </message>
-    <message>
-        <source>Swing the tool forwards and back, once a second</source>
-        <translation>Schwenken Sie das Werkzeug vor und zurück, einmal je Sekunde</translation>
     </message>
     <message>
         <source>swing forwards</source>
         <translation>vor und zurück schwenken</translation>
     </message>
     <message>
-        <source>Swing the tool round in a circle, once a second</source>
-        <translation>Schwenken Sie das Werkzeug im Kreis, einmal je Sekunde</translation>
-    </message>
-    <message>
         <source>swing in a circle</source>
         <translation>im Kreis schwenken</translation>
-    </message>
-    <message>
-        <source>Shake the tool sideways, about three times a second</source>
-        <translation>Schütteln Sie das Werkzeug seitlich, etwa dreimal je Sekunde</translation>
     </message>
     <message>
         <source>shake sideways</source>
         <translation>seitlich schütteln</translation>
     </message>
     <message>
-        <source>Shake the tool forwards and back, about three times a second</source>
-        <translation>Schütteln Sie das Werkzeug vor und zurück, etwa dreimal je Sekunde</translation>
-    </message>
-    <message>
         <source>shake forwards</source>
         <translation>vor und zurück schütteln</translation>
-    </message>
-    <message>
-        <source>Shake the tool about its long axis, two to three times a second</source>
-        <translation>Schütteln Sie das Werkzeug um seine Längsachse, zwei- bis dreimal je Sekunde</translation>
     </message>
     <message>
         <source>shake about its axis</source>
@@ -799,10 +786,6 @@
         <translation>Trägheit</translation>
     </message>
     <message>
-        <source>Nothing more is needed: the tool is known well</source>
-        <translation>Mehr ist nicht nötig: Das Werkzeug ist gut bekannt</translation>
-    </message>
-    <message>
         <source>%1 %2 → %3</source>
         <translation>%1 %2 → %3</translation>
     </message>
@@ -819,32 +802,8 @@
         <translation>Fast so weit</translation>
     </message>
     <message>
-        <source>Not yet, move the tool</source>
-        <translation>Noch nicht, bewegen Sie das Werkzeug</translation>
-    </message>
-    <message>
-        <source>Not yet, tilt the tool</source>
-        <translation>Noch nicht, neigen Sie das Werkzeug</translation>
-    </message>
-    <message>
-        <source>Not yet, turn the tool</source>
-        <translation>Noch nicht, drehen Sie das Werkzeug</translation>
-    </message>
-    <message>
-        <source>Not yet, needs faster turns</source>
-        <translation>Noch nicht, braucht schnellere Drehungen</translation>
-    </message>
-    <message>
-        <source>Not yet, needs more tilt</source>
-        <translation>Noch nicht, braucht mehr Neigung</translation>
-    </message>
-    <message>
         <source>used</source>
         <translation>benutzt</translation>
-    </message>
-    <message>
-        <source>too close to another one</source>
-        <translation>zu nah an einer anderen</translation>
     </message>
     <message>
         <source>moved</source>
@@ -888,10 +847,6 @@
     <message>
         <source>All poses have the same orientation. Tilt the tool by at least 30°.</source>
         <translation>Das Werkzeug hatte bisher nur eine Neigung: Neigen Sie es um mindestens 30 Grad.</translation>
-    </message>
-    <message>
-        <source>The tool has been tilted about one axis only: tilt it about another one too.</source>
-        <translation>Das Werkzeug wurde nur um eine Achse geneigt: Neigen Sie es auch um eine andere.</translation>
     </message>
     <message numerus="yes">
         <source>%n sample(s) lost</source>
@@ -945,36 +900,12 @@
         <translation>verbunden</translation>
     </message>
     <message>
-        <source>connection lost, trying again …</source>
-        <translation>Verbindung verloren, neuer Versuch …</translation>
-    </message>
-    <message>
         <source>failed</source>
         <translation>fehlgeschlagen</translation>
     </message>
     <message>
-        <source>played to its end</source>
-        <translation>bis zum Ende abgespielt</translation>
-    </message>
-    <message>
-        <source>Wobble the tool: tilt it in all directions while twisting it, about twice a second</source>
-        <translation>Das Werkzeug wackeln: nach allen Seiten kippen und zugleich drehen, etwa zweimal je Sekunde</translation>
-    </message>
-    <message>
-        <source>wobble: tip and twist at once</source>
-        <translation>wackeln: kippen und drehen zugleich</translation>
-    </message>
-    <message>
-        <source>Shake the tool from the wrist, two to three times a second: tilt it in all directions while twisting it</source>
-        <translation>Das Werkzeug aus dem Handgelenk schütteln, zwei- bis dreimal je Sekunde: nach allen Seiten kippen und zugleich drehen</translation>
-    </message>
-    <message>
         <source>shake from the wrist</source>
         <translation>aus dem Handgelenk schütteln</translation>
-    </message>
-    <message>
-        <source>Swing the tool from the wrist, once a second: tilt it in all directions while twisting it</source>
-        <translation>Das Werkzeug aus dem Handgelenk schwenken, einmal je Sekunde: nach allen Seiten kippen und zugleich drehen</translation>
     </message>
     <message>
         <source>under ± 0.1 g</source>
@@ -988,6 +919,90 @@
         <source>swing from the wrist</source>
         <translation>aus dem Handgelenk schwingen</translation>
     </message>
+    <message>
+        <source>turn back and forth, faster</source>
+        <translation>schneller hin und her drehen</translation>
+    </message>
+    <message>
+        <source>Swing the tool from side to side, once per second</source>
+        <translation>Schwenken Sie das Werkzeug seitlich hin und her, einmal je Sekunde</translation>
+    </message>
+    <message>
+        <source>Swing the tool back and forth, once per second</source>
+        <translation>Schwenken Sie das Werkzeug vor und zurück, einmal je Sekunde</translation>
+    </message>
+    <message>
+        <source>Swing the tool in a circle, once per second</source>
+        <translation>Schwenken Sie das Werkzeug im Kreis, einmal je Sekunde</translation>
+    </message>
+    <message>
+        <source>Shake the tool sideways, about three times per second</source>
+        <translation>Schütteln Sie das Werkzeug seitlich, etwa dreimal je Sekunde</translation>
+    </message>
+    <message>
+        <source>Shake the tool back and forth, about three times per second</source>
+        <translation>Schütteln Sie das Werkzeug vor und zurück, etwa dreimal je Sekunde</translation>
+    </message>
+    <message>
+        <source>Shake the tool about its long axis, two to three times per second</source>
+        <translation>Schütteln Sie das Werkzeug um seine Längsachse, zwei- bis dreimal je Sekunde</translation>
+    </message>
+    <message>
+        <source>Nothing more is needed: all values are well known</source>
+        <translation>Mehr ist nicht nötig: Alle Werte sind gut bekannt</translation>
+    </message>
+    <message>
+        <source>Not yet: move the tool</source>
+        <translation>Noch nicht: Werkzeug bewegen</translation>
+    </message>
+    <message>
+        <source>Not yet: tilt the tool</source>
+        <translation>Noch nicht: Werkzeug neigen</translation>
+    </message>
+    <message>
+        <source>Not yet: rotate the tool</source>
+        <translation>Noch nicht: Werkzeug drehen</translation>
+    </message>
+    <message>
+        <source>Not yet: rotate faster</source>
+        <translation>Noch nicht: schneller drehen</translation>
+    </message>
+    <message>
+        <source>Not yet: tilt more</source>
+        <translation>Noch nicht: weiter neigen</translation>
+    </message>
+    <message>
+        <source>too similar to another one</source>
+        <translation>einer anderen zu ähnlich</translation>
+    </message>
+    <message>
+        <source>The tool has been tilted about one axis only. Tilt it about another axis, too.</source>
+        <translation>Das Werkzeug wurde nur um eine Achse geneigt: Neigen Sie es auch um eine andere.</translation>
+    </message>
+    <message>
+        <source>connection lost, reconnecting …</source>
+        <translation>Verbindung verloren, wird neu aufgebaut …</translation>
+    </message>
+    <message>
+        <source>replay finished</source>
+        <translation>Wiedergabe beendet</translation>
+    </message>
+    <message>
+        <source>Wobble the tool: tilt it in all directions while twisting it, about twice per second</source>
+        <translation>Das Werkzeug wackeln: nach allen Seiten kippen und zugleich drehen, etwa zweimal je Sekunde</translation>
+    </message>
+    <message>
+        <source>wobble: tilt and twist at once</source>
+        <translation>wackeln: kippen und drehen zugleich</translation>
+    </message>
+    <message>
+        <source>Shake the tool from the wrist, two to three times per second: tilt it in all directions while twisting it</source>
+        <translation>Das Werkzeug aus dem Handgelenk schütteln, zwei- bis dreimal je Sekunde: nach allen Seiten kippen und zugleich drehen</translation>
+    </message>
+    <message>
+        <source>Swing the tool from the wrist, once per second: tilt it in all directions while twisting it</source>
+        <translation>Das Werkzeug aus dem Handgelenk schwenken, einmal je Sekunde: nach allen Seiten kippen und zugleich drehen</translation>
+    </message>
 </context>
 <context>
     <name>MarkText</name>
@@ -996,31 +1011,31 @@
         <translation>%1 – %2 s</translation>
     </message>
     <message>
-        <source>very sure</source>
-        <translation>sehr sicher</translation>
-    </message>
-    <message>
-        <source>fairly sure</source>
-        <translation>ziemlich sicher</translation>
-    </message>
-    <message>
-        <source>not sure</source>
-        <translation>nicht sicher</translation>
-    </message>
-    <message numerus="yes">
-        <source>Only free parts are used. Please check %n segment(es).</source>
-        <translation>
-            <numerusform>Nur freie Teile werden benutzt. Bitte prüfen Sie %n Abschnitt.</numerusform>
-            <numerusform>Nur freie Teile werden benutzt. Bitte prüfen Sie %n Abschnitte.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>No contact detected.</source>
         <translation>Heft fand nichts, was das Werkzeug berührt hat.</translation>
     </message>
     <message>
-        <source>Only free parts are used.</source>
-        <translation>Nur freie Teile werden benutzt.</translation>
+        <source>high</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>mittel</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>niedrig</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only free segments are used. Please review %n suggestion(s).</source>
+        <translation>
+            <numerusform>Nur freie Abschnitte werden benutzt. Bitte prüfen Sie %n Vorschlag.</numerusform>
+            <numerusform>Nur freie Abschnitte werden benutzt. Bitte prüfen Sie %n Vorschläge.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Only free segments are used.</source>
+        <translation>Nur freie Abschnitte werden benutzt.</translation>
     </message>
 </context>
 <context>
@@ -1050,12 +1065,8 @@
         <translation>&amp;Hilfe</translation>
     </message>
     <message>
-        <source>S&amp;tep</source>
-        <translation>S&amp;chritt</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
+        <translation>B&amp;eenden</translation>
     </message>
     <message>
         <source>&amp;New</source>
@@ -1066,18 +1077,6 @@
         <translation>Ö&amp;ffnen …</translation>
     </message>
     <message>
-        <source>&amp;Save the session</source>
-        <translation>Sitzung &amp;speichern</translation>
-    </message>
-    <message>
-        <source>Save the session &amp;as …</source>
-        <translation>Sitzung speichern &amp;unter …</translation>
-    </message>
-    <message>
-        <source>Payload &amp;file …</source>
-        <translation>&amp;Payload-Datei …</translation>
-    </message>
-    <message>
         <source>&amp;Undo</source>
         <translation>&amp;Rückgängig</translation>
     </message>
@@ -1086,28 +1085,12 @@
         <translation>&amp;Wiederholen</translation>
     </message>
     <message>
-        <source>&amp;Whole arm</source>
-        <translation>&amp;Ganzer Arm</translation>
-    </message>
-    <message>
-        <source>&amp;Tool</source>
-        <translation>&amp;Werkzeug</translation>
-    </message>
-    <message>
-        <source>F&amp;ront</source>
-        <translation>&amp;Vorn</translation>
-    </message>
-    <message>
         <source>&amp;Side</source>
         <translation>&amp;Seite</translation>
     </message>
     <message>
         <source>T&amp;op</source>
         <translation>&amp;Oben</translation>
-    </message>
-    <message>
-        <source>Whole &amp;recording in the plots</source>
-        <translation>Ganze &amp;Aufnahme in den Kurven</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -1126,10 +1109,6 @@
         <translation>&amp;Noch einmal schätzen</translation>
     </message>
     <message>
-        <source>&amp;Stop the work under way</source>
-        <translation>Laufende Arbeit an&amp;halten</translation>
-    </message>
-    <message>
         <source>&amp;About Heft Studio</source>
         <translation>Ü&amp;ber Heft Studio</translation>
     </message>
@@ -1142,40 +1121,12 @@
         <translation>Heft Studio %1</translation>
     </message>
     <message>
-        <source>Finds out what a robot arm carries. Heft’s source is under the Apache License 2.0; this program links QCustomPlot and may be passed on under the GNU General Public License, version 3 or later.</source>
-        <translation>Findet heraus, was ein Roboterarm trägt. Der Quelltext von Heft steht unter der Apache-Lizenz 2.0; dieses Programm bindet QCustomPlot ein und darf unter der GNU General Public License, Version 3 oder später, weitergegeben werden.</translation>
-    </message>
-    <message>
-        <source>Save a &amp;picture</source>
-        <translation>&amp;Bild speichern</translation>
-    </message>
-    <message>
-        <source>Of the &amp;window …</source>
-        <translation>Vom &amp;Fenster …</translation>
-    </message>
-    <message>
-        <source>Of the 3D &amp;view …</source>
-        <translation>Von der &amp;3D-Ansicht …</translation>
-    </message>
-    <message>
-        <source>Of the &amp;plots …</source>
-        <translation>Von den &amp;Kurven …</translation>
-    </message>
-    <message>
-        <source>Of the pan&amp;el …</source>
-        <translation>Von der &amp;Seite rechts …</translation>
-    </message>
-    <message>
         <source>&amp;Manual</source>
         <translation>&amp;Handbuch</translation>
     </message>
     <message>
         <source>&amp;Robot and sensor …</source>
         <translation>&amp;Roboter und Sensor …</translation>
-    </message>
-    <message>
-        <source>Where the &amp;numbers come from …</source>
-        <translation>&amp;Woher die Werte kommen …</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
@@ -1190,24 +1141,84 @@
         <translation>&amp;Einstellungen …</translation>
     </message>
     <message>
-        <source>&amp;Plots alone</source>
-        <translation>&amp;Nur die Kurven</translation>
-    </message>
-    <message>
-        <source>3D view alo&amp;ne</source>
-        <translation>Nur die &amp;3D-Ansicht</translation>
-    </message>
-    <message>
         <source>&amp;Tour with a sample</source>
         <translation>&amp;Rundgang mit einem Beispiel</translation>
+    </message>
+    <message>
+        <source>&amp;Go to step</source>
+        <translation>Zum S&amp;chritt</translation>
+    </message>
+    <message>
+        <source>&amp;Save session</source>
+        <translation>Sitzung &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save session &amp;as …</source>
+        <translation>Sitzung speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Export payload &amp;file …</source>
+        <translation>&amp;Payload-Datei exportieren …</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;whole arm</source>
+        <translation>&amp;Ganzer Arm</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;tool</source>
+        <translation>&amp;Werkzeug</translation>
+    </message>
+    <message>
+        <source>Fro&amp;nt</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>Zoom to whole &amp;recording</source>
+        <translation>Ganze &amp;Aufnahme zeigen</translation>
+    </message>
+    <message>
+        <source>S&amp;top the current task</source>
+        <translation>Laufende Aufgabe an&amp;halten</translation>
+    </message>
+    <message>
+        <source>Estimates the mass, centre of mass and inertia of a robot’s payload. Heft’s source is under the Apache License 2.0; this program links QCustomPlot and may be redistributed under the GNU General Public License, version 3 or later.</source>
+        <translation>Schätzt Masse, Schwerpunkt und Trägheit der Last eines Roboters. Der Quelltext von Heft steht unter der Apache-Lizenz 2.0; dieses Programm bindet QCustomPlot ein und darf unter der GNU General Public License, Version 3 oder später, weitergegeben werden.</translation>
+    </message>
+    <message>
+        <source>Save &amp;picture</source>
+        <translation>&amp;Bild speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Window …</source>
+        <translation>&amp;Fenster …</translation>
+    </message>
+    <message>
+        <source>3D &amp;view …</source>
+        <translation>&amp;3D-Ansicht …</translation>
+    </message>
+    <message>
+        <source>&amp;Plots …</source>
+        <translation>&amp;Kurven …</translation>
+    </message>
+    <message>
+        <source>Pan&amp;el …</source>
+        <translation>&amp;Seite rechts …</translation>
+    </message>
+    <message>
+        <source>Columns and &amp;units …</source>
+        <translation>Spalten und &amp;Einheiten …</translation>
+    </message>
+    <message>
+        <source>Maximise &amp;plots</source>
+        <translation>&amp;Kurven maximieren</translation>
+    </message>
+    <message>
+        <source>Maximise 3D &amp;view</source>
+        <translation>&amp;3D-Ansicht maximieren</translation>
     </message>
 </context>
 <context>
     <name>MethodTable</name>
-    <message>
-        <source>Heft’s own (MAP)</source>
-        <translation>Hefts eigenes (MAP)</translation>
-    </message>
     <message>
         <source>least squares</source>
         <translation>kleinste Quadrate</translation>
@@ -1245,10 +1256,6 @@
         <translation>Verfahren</translation>
     </message>
     <message>
-        <source>How the numbers were found</source>
-        <translation>Wie die Werte gefunden wurden</translation>
-    </message>
-    <message>
         <source>Mass [kg]</source>
         <translation>Masse [kg]</translation>
     </message>
@@ -1273,52 +1280,8 @@
         <translation>Summe von Ixx, Iyy und Izz um den Schwerpunkt</translation>
     </message>
     <message>
-        <source>Unseen force [N]</source>
-        <translation>Ungesehen, Kraft [N]</translation>
-    </message>
-    <message>
-        <source>Error on parts of the motion that the method did not see</source>
-        <translation>Fehler auf Teilen der Bewegung, die das Verfahren nicht gesehen hat</translation>
-    </message>
-    <message>
-        <source>Unseen torque [N m]</source>
-        <translation>Ungesehen, Moment [N m]</translation>
-    </message>
-    <message>
-        <source>Mass off [%]</source>
-        <translation>Masse daneben [%]</translation>
-    </message>
-    <message>
-        <source>Relative error against the known value</source>
-        <translation>Relativer Fehler gegen den bekannten Wert</translation>
-    </message>
-    <message>
-        <source>Centre off [%]</source>
-        <translation>Schwerpunkt daneben [%]</translation>
-    </message>
-    <message>
-        <source>Inertia off [%]</source>
-        <translation>Trägheit daneben [%]</translation>
-    </message>
-    <message>
-        <source>Relative error about the sensor’s origin, against the known value</source>
-        <translation>Relativer Fehler um den Ursprung des Sensors, gegen den bekannten Wert</translation>
-    </message>
-    <message>
         <source>Time [ms]</source>
         <translation>Zeit [ms]</translation>
-    </message>
-    <message>
-        <source>From the prepared motion to the numbers</source>
-        <translation>Von der vorbereiteten Bewegung zu den Werten</translation>
-    </message>
-    <message>
-        <source>Can it be so?</source>
-        <translation>Kann es so sein?</translation>
-    </message>
-    <message>
-        <source>Whether a real body can have these numbers</source>
-        <translation>Ob ein wirklicher Körper diese Werte haben kann</translation>
     </message>
     <message>
         <source>no result</source>
@@ -1331,6 +1294,58 @@
     <message>
         <source>no</source>
         <translation>nein</translation>
+    </message>
+    <message>
+        <source>Heft (MAP)</source>
+        <translation>Heft (MAP)</translation>
+    </message>
+    <message>
+        <source>How the values were determined</source>
+        <translation>Wie die Werte bestimmt wurden</translation>
+    </message>
+    <message>
+        <source>Held-out force [N]</source>
+        <translation>Ungesehene Kraft [N]</translation>
+    </message>
+    <message>
+        <source>Error on segments that were not used for fitting</source>
+        <translation>Fehler auf Abschnitten, die nicht zur Anpassung dienten</translation>
+    </message>
+    <message>
+        <source>Held-out torque [N m]</source>
+        <translation>Ungesehenes Moment [N m]</translation>
+    </message>
+    <message>
+        <source>Mass error [%]</source>
+        <translation>Fehler Masse [%]</translation>
+    </message>
+    <message>
+        <source>Relative error with respect to the reference value</source>
+        <translation>Relativer Fehler gegen den bekannten Wert</translation>
+    </message>
+    <message>
+        <source>Centre error [%]</source>
+        <translation>Fehler Schwerpunkt [%]</translation>
+    </message>
+    <message>
+        <source>Inertia error [%]</source>
+        <translation>Fehler Trägheit [%]</translation>
+    </message>
+    <message>
+        <source>Relative error about the sensor’s origin, with respect to the reference value</source>
+        <translation>Relativer Fehler um den Ursprung des Sensors, gegen den bekannten Wert</translation>
+    </message>
+    <message>
+        <source>From the prepared motion to the result</source>
+        <translation>Von der vorbereiteten Bewegung zu den Werten</translation>
+    </message>
+    <message>
+        <source>Physical?</source>
+        <translation>Möglich?</translation>
+    </message>
+    <message>
+        <source>Whether a real body can have these values</source>
+        <translation>Ob ein wirklicher Körper diese Werte haben kann</translation>
     </message>
 </context>
 <context>
@@ -1352,12 +1367,12 @@
         <translation>Schwerpunkt %1</translation>
     </message>
     <message>
-        <source>No object was found: %1, which noise alone could make.</source>
-        <translation>Kein Gegenstand gefunden: %1; so viel kann das Rauschen allein ausmachen.</translation>
-    </message>
-    <message>
         <source>not known</source>
         <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>No object was found: %1, which noise alone could cause.</source>
+        <translation>Kein Gegenstand gefunden: %1; so viel kann das Rauschen allein ausmachen.</translation>
     </message>
 </context>
 <context>
@@ -1390,14 +1405,6 @@
         <translation>Richtig</translation>
     </message>
     <message>
-        <source>Not this one</source>
-        <translation>Diese nicht</translation>
-    </message>
-    <message>
-        <source>Hidden was: %1.</source>
-        <translation>Versteckt war: %1.</translation>
-    </message>
-    <message>
         <source>Your guess, “%1”, would look like this: %2</source>
         <translation>Ihr Tipp „%1“ sähe so aus: %2</translation>
     </message>
@@ -1408,10 +1415,6 @@
     <message>
         <source>Next exercise</source>
         <translation>Noch eine</translation>
-    </message>
-    <message>
-        <source>Not “%1”. It would look like this: %2 One more try.</source>
-        <translation>Nicht „%1“. Das sähe so aus: %2 Noch ein Versuch.</translation>
     </message>
     <message>
         <source>Show the answer</source>
@@ -1426,7 +1429,19 @@
         <translation>Hinweis geben</translation>
     </message>
     <message>
-        <source>Found at once: %1 of %2. With a hint or at the second try: %3.</source>
+        <source>Not quite</source>
+        <translation>Nicht ganz</translation>
+    </message>
+    <message>
+        <source>The hidden fault was: %1.</source>
+        <translation>Versteckt war: %1.</translation>
+    </message>
+    <message>
+        <source>Not “%1”. It would look like this: %2 Try once more.</source>
+        <translation>Nicht „%1“. Das sähe so aus: %2 Noch ein Versuch.</translation>
+    </message>
+    <message>
+        <source>Solved at the first try: %1 of %2. With a hint or at the second try: %3.</source>
         <translation>Sofort gefunden: %1 von %2. Mit Hinweis oder im zweiten Versuch: %3.</translation>
     </message>
 </context>
@@ -1651,60 +1666,60 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>wie angegeben</translation>
     </message>
     <message>
-        <source>read so</source>
-        <translation>so gelesen</translation>
-    </message>
-    <message>
-        <source>What a rigid tool leaves unexplained, as stated and read so</source>
-        <translation>Was ein starres Werkzeug unerklärt lässt, wie angegeben und so gelesen</translation>
-    </message>
-    <message>
-        <source>Not what the setup file says</source>
-        <translation>Anders als die Meta-Datei sagt</translation>
-    </message>
-    <message>
-        <source>Fits as well:</source>
-        <translation>Passt ebenso:</translation>
-    </message>
-    <message>
         <source>To decide:</source>
         <translation>Zur Entscheidung:</translation>
-    </message>
-    <message>
-        <source>At the driver:</source>
-        <translation>Am Treiber:</translation>
-    </message>
-    <message>
-        <source>Read so</source>
-        <translation>So gelesen</translation>
-    </message>
-    <message>
-        <source>Read as stated again</source>
-        <translation>Wieder wie angegeben lesen</translation>
-    </message>
-    <message>
-        <source>Read it so</source>
-        <translation>So lesen</translation>
-    </message>
-    <message>
-        <source>The session reads this recording so; the file stays as it is. Ctrl+Z takes it back.</source>
-        <translation>Die Sitzung liest diese Aufnahme so; die Datei bleibt, wie sie ist. Strg+Z nimmt es zurück.</translation>
     </message>
     <message>
         <source>(%1 kg)</source>
         <translation>(%1 kg)</translation>
     </message>
     <message>
-        <source>Several readings possible</source>
-        <translation>Mehrere Lesarten möglich</translation>
-    </message>
-    <message>
-        <source>State it under Robot and sensor …</source>
-        <translation>Unter Roboter und Sensor angeben …</translation>
-    </message>
-    <message>
         <source>As stated, the tool would weigh %1.</source>
         <translation>Wie angegeben würde das Werkzeug %1 wiegen.</translation>
+    </message>
+    <message>
+        <source>as suggested</source>
+        <translation>wie vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Residual of a rigid tool, as stated and as suggested</source>
+        <translation>Rest eines starren Werkzeugs, wie angegeben und wie vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Differs from the setup file</source>
+        <translation>Anders als in der Aufbaudatei</translation>
+    </message>
+    <message>
+        <source>Fits equally well:</source>
+        <translation>Passt ebenso:</translation>
+    </message>
+    <message>
+        <source>Check in the driver:</source>
+        <translation>Im Treiber prüfen:</translation>
+    </message>
+    <message>
+        <source>Applied</source>
+        <translation>Angewandt</translation>
+    </message>
+    <message>
+        <source>Back to the stated conventions</source>
+        <translation>Zurück zu den angegebenen Konventionen</translation>
+    </message>
+    <message>
+        <source>Use these conventions</source>
+        <translation>Diese Konventionen benutzen</translation>
+    </message>
+    <message>
+        <source>Applies to this session only; the file is not changed. Ctrl+Z undoes it.</source>
+        <translation>Gilt nur in dieser Sitzung; die Datei bleibt, wie sie ist. Strg+Z nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>Several interpretations possible</source>
+        <translation>Mehrere Deutungen möglich</translation>
+    </message>
+    <message>
+        <source>Set it in Robot and sensor …</source>
+        <translation>Unter Roboter und Sensor angeben …</translation>
     </message>
 </context>
 <context>
@@ -1724,13 +1739,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Something unknown</source>
         <translation>Etwas Unbekanntes</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n cause(s) found, something is left</source>
-        <translation>
-            <numerusform>%n Ursache gefunden, etwas bleibt</numerusform>
-            <numerusform>%n Ursachen gefunden, etwas bleibt</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>%n correction(s) applied</source>
@@ -1776,18 +1784,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Ihr Ergebnis hat sich geändert:</translation>
     </message>
     <message>
-        <source>That is %1 times the uncertainty it was stated with.</source>
-        <translation>Das ist das %1-Fache der angegebenen Unsicherheit.</translation>
-    </message>
-    <message>
-        <source>That is less than the uncertainty it was stated with.</source>
-        <translation>Das ist weniger als die angegebene Unsicherheit.</translation>
-    </message>
-    <message>
-        <source>Writes a copy of the setup file with these entries; later recordings then start out right.</source>
-        <translation>Schreibt eine Kopie der Meta-Datei mit diesen Einträgen; spätere Aufnahmen beginnen dann richtig.</translation>
-    </message>
-    <message>
         <source>Does it hold on another recording?</source>
         <translation>Gilt es auch für eine andere Aufnahme?</translation>
     </message>
@@ -1796,27 +1792,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>An %1 prüfen</translation>
     </message>
     <message>
-        <source>Open another recording of the same rig …</source>
-        <translation>Eine andere Aufnahme desselben Aufbaus öffnen …</translation>
-    </message>
-    <message numerus="yes">
-        <source>Also considered: %n cause(s)</source>
-        <translation>
-            <numerusform>Auch betrachtet: %n Ursache</numerusform>
-            <numerusform>Auch betrachtet: %n Ursachen</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>None of them explains anything beyond noise.</source>
         <translation>Keine davon erklärt mehr als Rauschen.</translation>
-    </message>
-    <message>
-        <source>Could not have been seen: %1.</source>
-        <translation>Nicht zu sehen gewesen wären: %1.</translation>
-    </message>
-    <message>
-        <source>The smallest size of each cause that this motion and this sensor would have shown.</source>
-        <translation>Die kleinste Größe jeder Ursache, die diese Bewegung und dieser Sensor gezeigt hätten.</translation>
     </message>
     <message>
         <source>Your result stayed the same.</source>
@@ -1843,32 +1820,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Wenn Sie sie anwenden, bleibt Ihr Ergebnis gleich.</translation>
     </message>
     <message>
-        <source>Mass, centre and inertia change by less than their last digit here.</source>
-        <translation>Masse, Schwerpunkt und Trägheit ändern sich um weniger als ihre letzte Stelle hier.</translation>
-    </message>
-    <message>
         <source>With all causes applied your result changes:</source>
         <translation>Mit allen Ursachen ändert sich Ihr Ergebnis:</translation>
     </message>
     <message>
         <source>If you apply it, your result changes:</source>
         <translation>Wenn Sie sie anwenden, ändert sich Ihr Ergebnis:</translation>
-    </message>
-    <message>
-        <source>It becomes less certain: %1. Motion and cause are hard to tell apart here.</source>
-        <translation>Es wird unsicherer: %1. Bewegung und Ursache sind hier schwer zu trennen.</translation>
-    </message>
-    <message>
-        <source>Rotation of the sensor about x, y, z</source>
-        <translation>Drehung des Sensors um x, y, z</translation>
-    </message>
-    <message>
-        <source>Place of the sensor in x, y, z</source>
-        <translation>Lage des Sensors in x, y, z</translation>
-    </message>
-    <message>
-        <source>Gravity in x, y, z</source>
-        <translation>Schwerkraft in x, y, z</translation>
     </message>
     <message>
         <source>Enter this under Robot and sensor</source>
@@ -1880,7 +1837,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Save as a setup file …</source>
-        <translation>Als Meta-Datei speichern …</translation>
+        <translation>Als Aufbaudatei speichern …</translation>
     </message>
     <message>
         <source>Recording to check on</source>
@@ -1890,72 +1847,58 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Check</source>
         <translation>Prüfen</translation>
     </message>
-    <message>
-        <source>Force and torque along the axes of</source>
-        <translation>Kraft und Drehmoment entlang der Achsen von</translation>
+    <message numerus="yes">
+        <source>%n cause(s) found, part unexplained</source>
+        <translation>
+            <numerusform>%n Ursache gefunden, ein Teil unerklärt</numerusform>
+            <numerusform>%n Ursachen gefunden, ein Teil unerklärt</numerusform>
+        </translation>
     </message>
     <message>
-        <source>Torque about the point x, y, z</source>
-        <translation>Bezugspunkt des Drehmoments in x, y, z</translation>
+        <source>That is %1 times the stated uncertainty.</source>
+        <translation>Das ist das %1-Fache der angegebenen Unsicherheit.</translation>
     </message>
     <message>
-        <source>Sign of force and torque</source>
-        <translation>Vorzeichen von Kraft und Drehmoment</translation>
+        <source>That is within the stated uncertainty.</source>
+        <translation>Das ist weniger als die angegebene Unsicherheit.</translation>
     </message>
     <message>
-        <source>Torque&apos;s sign</source>
-        <translation>Vorzeichen des Drehmoments</translation>
+        <source>Writes a copy of the setup file with these entries, for later recordings.</source>
+        <translation>Schreibt eine Kopie der Aufbaudatei mit diesen Einträgen; spätere Aufnahmen beginnen dann richtig.</translation>
     </message>
     <message>
-        <source>Order of force and torque</source>
-        <translation>Reihenfolge von Kraft und Drehmoment</translation>
+        <source>Open another recording of the same setup …</source>
+        <translation>Eine andere Aufnahme desselben Aufbaus öffnen …</translation>
+    </message>
+    <message numerus="yes">
+        <source>Also tested: %n cause(s)</source>
+        <translation>
+            <numerusform>Auch geprüft: %n Ursache</numerusform>
+            <numerusform>Auch geprüft: %n Ursachen</numerusform>
+        </translation>
     </message>
     <message>
-        <source>Mirrored axis</source>
-        <translation>Gespiegelte Achse</translation>
+        <source>Not detectable in this recording: %1.</source>
+        <translation>In dieser Aufnahme nicht erkennbar: %1.</translation>
     </message>
     <message>
-        <source>Unit of force</source>
-        <translation>Einheit der Kraft</translation>
+        <source>The smallest size of each cause that this motion and sensor would have revealed.</source>
+        <translation>Die kleinste Größe jeder Ursache, die diese Bewegung und dieser Sensor gezeigt hätten.</translation>
     </message>
     <message>
-        <source>Unit of torque</source>
-        <translation>Einheit des Drehmoments</translation>
+        <source>Mass, centre and inertia stay the same to the digits shown.</source>
+        <translation>Masse, Schwerpunkt und Trägheit bleiben in den gezeigten Stellen gleich.</translation>
     </message>
     <message>
-        <source>Poses are of</source>
-        <translation>Stellungen sind die von</translation>
-    </message>
-    <message>
-        <source>Order of the quaternion</source>
-        <translation>Reihenfolge des Quaternions</translation>
+        <source>It becomes less certain: %1. Payload and cause are hard to distinguish with this motion.</source>
+        <translation>Es wird unsicherer: %1. Last und Ursache sind mit dieser Bewegung schwer zu unterscheiden.</translation>
     </message>
 </context>
 <context>
     <name>Remedies</name>
     <message>
-        <source>Tools, “Where the numbers come from”, shows what there is.</source>
-        <translation>Werkzeuge, „Woher die Werte kommen“, zeigt, was es gibt.</translation>
-    </message>
-    <message>
-        <source>If so, choose it under Tools, “Where the numbers come from”.</source>
-        <translation>Wenn ja, wählen Sie es unter Werkzeuge, „Woher die Werte kommen“.</translation>
-    </message>
-    <message>
-        <source>It can be chosen nevertheless.</source>
-        <translation>Trotzdem lässt es sich wählen.</translation>
-    </message>
-    <message>
         <source>Choose its columns, or add the file that has it.</source>
         <translation>Wählen Sie die Spalten, oder nehmen Sie die Datei dazu, in der es steht.</translation>
-    </message>
-    <message>
-        <source>Choose which column is the time, under Tools, “Where the numbers come from”.</source>
-        <translation>Wählen Sie, welche Spalte die Zeit ist, unter Werkzeuge, „Woher die Werte kommen“.</translation>
-    </message>
-    <message>
-        <source>If you know by how much, enter it under Tools, “Where the numbers come from”.</source>
-        <translation>Wenn Sie wissen, um wie viel, sagen Sie es unter Werkzeuge, „Woher die Werte kommen“.</translation>
     </message>
     <message>
         <source>Choose it under Tools, “Robot and sensor”.</source>
@@ -1976,10 +1919,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Correct how the sensor is turned under Tools, “Robot and sensor”.</source>
         <translation>Berichtigen Sie unter Werkzeuge, „Roboter und Sensor“, wie der Sensor gedreht ist.</translation>
-    </message>
-    <message>
-        <source>If the rows are standing poses, set this under Tools, “Robot and sensor”; for another unit, “Where the numbers come from”.</source>
-        <translation>Sind die Zeilen stehende Posen, sagen Sie es unter Werkzeuge, „Roboter und Sensor“; für eine andere Einheit „Woher die Werte kommen“.</translation>
     </message>
     <message>
         <source>To keep them out, paint them as ignored in Mark.</source>
@@ -2004,6 +1943,30 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>If the file has no clock, state its rate, rate_hz, in the map file beside it.</source>
         <translation>Hat die Datei keine Uhr, nennen Sie ihre Rate, rate_hz, in der Zuordnungsdatei daneben.</translation>
+    </message>
+    <message>
+        <source>Tools, “Columns and units”, shows what there is.</source>
+        <translation>Werkzeuge, „Spalten und Einheiten“, zeigt, was es gibt.</translation>
+    </message>
+    <message>
+        <source>If so, choose it under Tools, “Columns and units”.</source>
+        <translation>Wenn ja, wählen Sie es unter Werkzeuge, „Spalten und Einheiten“.</translation>
+    </message>
+    <message>
+        <source>You can still choose it.</source>
+        <translation>Sie können es trotzdem wählen.</translation>
+    </message>
+    <message>
+        <source>Choose the time column under Tools, “Columns and units”.</source>
+        <translation>Wählen Sie die Zeitspalte unter Werkzeuge, „Spalten und Einheiten“.</translation>
+    </message>
+    <message>
+        <source>If you know the offset, enter it under Tools, “Columns and units”.</source>
+        <translation>Wenn Sie den Versatz kennen, geben Sie ihn unter Werkzeuge, „Spalten und Einheiten“, ein.</translation>
+    </message>
+    <message>
+        <source>If the rows are standing poses, set this under Tools, “Robot and sensor”; for another unit, see “Columns and units”.</source>
+        <translation>Sind die Zeilen stehende Posen, stellen Sie es unter Werkzeuge, „Roboter und Sensor“, ein; eine andere Einheit unter „Spalten und Einheiten“.</translation>
     </message>
 </context>
 <context>
@@ -2063,14 +2026,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>.</translation>
     </message>
     <message>
-        <source>How hard the tool is to turn about its own axis %1</source>
-        <translation>Wie schwer das Werkzeug um seine eigene Achse %1 zu drehen ist</translation>
-    </message>
-    <message>
-        <source>How turning about %1 pushes about %2</source>
-        <translation>Wie Drehen um %1 um %2 drückt</translation>
-    </message>
-    <message>
         <source>Ixy, Ixz, Iyz</source>
         <translation>Ixy, Ixz, Iyz</translation>
     </message>
@@ -2083,10 +2038,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Verfahren</translation>
     </message>
     <message>
-        <source>How the numbers were found</source>
-        <translation>Wie die Werte gefunden wurden</translation>
-    </message>
-    <message>
         <source>Used</source>
         <translation>Benutzt</translation>
     </message>
@@ -2095,32 +2046,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>%1 von %2 s, %3 Hz</translation>
     </message>
     <message>
-        <source>Free parts without the ends that were trimmed</source>
-        <translation>Freie Teile ohne die abgeschnittenen Enden</translation>
-    </message>
-    <message>
-        <source>Left over, force</source>
-        <translation>Rest, Kraft</translation>
-    </message>
-    <message>
         <source>%1 N</source>
         <translation>%1 N</translation>
     </message>
     <message>
-        <source>Root mean square of the difference, free parts</source>
-        <translation>Quadratisches Mittel der Differenz, freie Teile</translation>
-    </message>
-    <message>
-        <source>Left over, torque</source>
-        <translation>Rest, Moment</translation>
-    </message>
-    <message>
         <source>Held-out error</source>
         <translation>Auf ungesehenen Teilen</translation>
-    </message>
-    <message>
-        <source>The same on parts that the estimate did not see</source>
-        <translation>Dasselbe auf Teilen, die die Schätzung nicht gesehen hat</translation>
     </message>
     <message>
         <source>Sensor bias, force</source>
@@ -2131,16 +2062,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Fester Versatz x, y, z des Sensors</translation>
     </message>
     <message>
-        <source>Sensor zero, torque</source>
-        <translation>Sensornullpunkt, Moment</translation>
-    </message>
-    <message>
         <source>Condition number</source>
         <translation>Konditionszahl</translation>
-    </message>
-    <message>
-        <source>Of the scaled, whitened regressor: how unevenly the motion tells the ten parameters</source>
-        <translation>Des skalierten, geweißten Regressors: wie ungleich die Bewegung über die zehn Parameter Auskunft gibt</translation>
     </message>
     <message>
         <source>mass %1 %</source>
@@ -2163,20 +2086,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Relativer Fehler |Schätzung − Angabe| / |Angabe|</translation>
     </message>
     <message>
-        <source>A real body could be so</source>
-        <translation>Ein wirklicher Körper könnte so sein</translation>
-    </message>
-    <message>
         <source>yes</source>
         <translation>ja</translation>
     </message>
     <message>
         <source>no</source>
         <translation>nein</translation>
-    </message>
-    <message>
-        <source>Positive mass and an inertia that some distribution of mass can have</source>
-        <translation>Positive Masse und eine Trägheit, die irgendeine Massenverteilung haben kann</translation>
     </message>
     <message>
         <source>Computation time</source>
@@ -2223,20 +2138,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>kg cm²</translation>
     </message>
     <message>
-        <source>%1 % from the inertia you stated</source>
-        <translation>%1 % von der angegebenen Trägheit</translation>
-    </message>
-    <message>
-        <source>This motion does not tell the mass.</source>
-        <translation>Diese Bewegung verrät die Masse nicht.</translation>
-    </message>
-    <message>
         <source>Check the warnings first: the errors may be larger than the intervals.</source>
         <translation>Prüfen Sie zuerst die Warnungen: Diese Werte können weiter daneben liegen, als sie sagen.</translation>
-    </message>
-    <message>
-        <source>That moved the result by %1 σ.</source>
-        <translation>Das verschob das Ergebnis um %1 σ.</translation>
     </message>
     <message>
         <source>%1 % data</source>
@@ -2267,20 +2170,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>|Schätzung − bekannt|, und bezogen auf die Länge des bekannten</translation>
     </message>
     <message>
-        <source>%1 % away, about the sensor %2 %</source>
-        <translation>%1 % entfernt, um den Sensor %2 %</translation>
-    </message>
-    <message>
         <source>‖estimate − known‖ / ‖known‖, Frobenius, about the centre of mass and about the sensor’s origin</source>
         <translation>‖Schätzung − bekannt‖ / ‖bekannt‖, Frobenius, um den Schwerpunkt und um den Ursprung des Sensors</translation>
-    </message>
-    <message>
-        <source>%1 lean on your shape</source>
-        <translation>%1 stützen sich auf Ihre Form</translation>
-    </message>
-    <message>
-        <source>%1 leans on your shape</source>
-        <translation>%1 stützt sich auf Ihre Form</translation>
     </message>
     <message>
         <source>The motion alone gives %1 %3, your shape gives %2 %3.</source>
@@ -2293,18 +2184,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The weight cannot be determined yet.</source>
         <translation>Noch lässt sich kein Gewicht nennen.</translation>
-    </message>
-    <message>
-        <source>The readings do not tell it as they are understood.</source>
-        <translation>So verstanden, verraten die Messwerte es nicht.</translation>
-    </message>
-    <message>
-        <source>moved by your shape, %1 σ</source>
-        <translation>von Ihrer Form verschoben, %1 σ</translation>
-    </message>
-    <message>
-        <source>%1 % from the inertia that the recording states</source>
-        <translation>%1 % von der Trägheit, die die Aufnahme nennt</translation>
     </message>
     <message>
         <source>The reality check found a cause that is not applied: %1</source>
@@ -2327,64 +2206,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Hauptmomente</translation>
     </message>
     <message>
-        <source>Moments about the centre of mass that have no products, and their axes in the sensor’s frame</source>
-        <translation>Momente um den Schwerpunkt ohne Deviationsmomente und ihre Achsen im Rahmen des Sensors</translation>
-    </message>
-    <message>
         <source>%1 %, %2</source>
         <translation>%1 %, %2</translation>
     </message>
     <message>
-        <source>Told by the motion</source>
-        <translation>Aus der Bewegung</translation>
-    </message>
-    <message>
         <source>Ten independent directions among the parameters, and the share of the data in each; the rest comes from what was assumed</source>
         <translation>Zehn unabhängige Richtungen unter den Parametern und der Anteil der Daten daran; der Rest kommt aus dem, was angenommen wurde</translation>
-    </message>
-    <message>
-        <source>By channel, force</source>
-        <translation>Je Kanal, Kraft</translation>
-    </message>
-    <message>
-        <source>%1 N, scatter %2</source>
-        <translation>%1 N, Streuung %2</translation>
-    </message>
-    <message>
-        <source>Root mean square x, y, z of the difference, and the sensor’s own scatter</source>
-        <translation>Quadratischer Mittelwert x, y, z der Differenz und die eigene Streuung des Sensors</translation>
-    </message>
-    <message>
-        <source>By channel, torque</source>
-        <translation>Je Kanal, Moment</translation>
-    </message>
-    <message>
-        <source>%1 %2, scatter %3</source>
-        <translation>%1 %2, Streuung %3</translation>
-    </message>
-    <message>
-        <source>%1 known, %2 % away</source>
-        <translation>%1 bekannt, %2 % daneben</translation>
-    </message>
-    <message>
-        <source>%1 %2 away</source>
-        <translation>%1 %2 daneben</translation>
-    </message>
-    <message>
-        <source>you stated %1, %2 % away</source>
-        <translation>Ihre Angabe %1, %2 % daneben</translation>
-    </message>
-    <message>
-        <source>the recording has %1, %2 % away</source>
-        <translation>laut Aufnahme %1, %2 % daneben</translation>
-    </message>
-    <message>
-        <source>%1 %2 from the centre you stated</source>
-        <translation>%1 %2 von Ihrem angegebenen Schwerpunkt</translation>
-    </message>
-    <message>
-        <source>%1 %2 from the centre that the recording states</source>
-        <translation>%1 %2 vom Schwerpunkt, den die Aufnahme nennt</translation>
     </message>
     <message>
         <source>Your tool weighs %1.</source>
@@ -2420,6 +2247,142 @@ Bitte prüfen Sie den Namen.</translation>
         <source>100 %, %1 of %2 directions</source>
         <translation>100 %, %1 von %2 Richtungen</translation>
     </message>
+    <message>
+        <source>Resistance to rotation about the axis %1</source>
+        <translation>Widerstand gegen Drehung um die Achse %1</translation>
+    </message>
+    <message>
+        <source>Coupling of rotations about %1 and %2</source>
+        <translation>Kopplung der Drehungen um %1 und %2</translation>
+    </message>
+    <message>
+        <source>How the values were determined</source>
+        <translation>Wie die Werte bestimmt wurden</translation>
+    </message>
+    <message>
+        <source>Free segments, without the trimmed ends</source>
+        <translation>Freie Abschnitte ohne die abgeschnittenen Enden</translation>
+    </message>
+    <message>
+        <source>Residual force</source>
+        <translation>Rest, Kraft</translation>
+    </message>
+    <message>
+        <source>Root mean square of the residual on free segments</source>
+        <translation>Effektivwert des Rests auf freien Abschnitten</translation>
+    </message>
+    <message>
+        <source>Residual torque</source>
+        <translation>Rest, Moment</translation>
+    </message>
+    <message>
+        <source>The same on segments that were not used for fitting</source>
+        <translation>Dasselbe auf Abschnitten, die nicht zur Anpassung dienten</translation>
+    </message>
+    <message>
+        <source>Sensor bias, torque</source>
+        <translation>Sensornullpunkt, Moment</translation>
+    </message>
+    <message>
+        <source>Of the scaled, whitened regressor: how unevenly the motion determines the ten parameters</source>
+        <translation>Des skalierten, geweißten Regressors: wie ungleich die Bewegung die zehn Parameter bestimmt</translation>
+    </message>
+    <message>
+        <source>Physically consistent</source>
+        <translation>Physikalisch möglich</translation>
+    </message>
+    <message>
+        <source>Positive mass, and an inertia that a real mass distribution can have</source>
+        <translation>Positive Masse und eine Trägheit, die eine wirkliche Massenverteilung haben kann</translation>
+    </message>
+    <message>
+        <source>%1 % off the inertia you entered</source>
+        <translation>%1 % neben der eingegebenen Trägheit</translation>
+    </message>
+    <message>
+        <source>This motion does not determine the mass.</source>
+        <translation>Diese Bewegung bestimmt die Masse nicht.</translation>
+    </message>
+    <message>
+        <source>That shifted the result by %1 σ.</source>
+        <translation>Das verschob das Ergebnis um %1 σ.</translation>
+    </message>
+    <message>
+        <source>%1 % off, about the sensor %2 %</source>
+        <translation>%1 % daneben, um den Sensor %2 %</translation>
+    </message>
+    <message>
+        <source>%1 rely on your shape</source>
+        <translation>%1 stützen sich auf Ihre Form</translation>
+    </message>
+    <message>
+        <source>%1 relies on your shape</source>
+        <translation>%1 stützt sich auf Ihre Form</translation>
+    </message>
+    <message>
+        <source>The readings do not determine it with this interpretation.</source>
+        <translation>So gedeutet, bestimmen die Messwerte es nicht.</translation>
+    </message>
+    <message>
+        <source>shifted by your shape, %1 σ</source>
+        <translation>von Ihrer Form verschoben, %1 σ</translation>
+    </message>
+    <message>
+        <source>%1 % off the inertia that the recording states</source>
+        <translation>%1 % von der Trägheit, die die Aufnahme nennt</translation>
+    </message>
+    <message>
+        <source>Moments about the principal axes through the centre of mass, and these axes in the sensor’s frame</source>
+        <translation>Momente um den Schwerpunkt ohne Deviationsmomente und ihre Achsen im Rahmen des Sensors</translation>
+    </message>
+    <message>
+        <source>Determined by the motion</source>
+        <translation>Aus der Bewegung bestimmt</translation>
+    </message>
+    <message>
+        <source>Force by channel</source>
+        <translation>Kraft je Kanal</translation>
+    </message>
+    <message>
+        <source>%1 N, noise %2</source>
+        <translation>%1 N, Rauschen %2</translation>
+    </message>
+    <message>
+        <source>Root mean square of the residual in x, y, z, and the sensor’s noise</source>
+        <translation>Effektivwert des Rests in x, y, z und das Rauschen des Sensors</translation>
+    </message>
+    <message>
+        <source>Torque by channel</source>
+        <translation>Moment je Kanal</translation>
+    </message>
+    <message>
+        <source>%1 %2, noise %3</source>
+        <translation>%1 %2, Rauschen %3</translation>
+    </message>
+    <message>
+        <source>%1 known, %2 % off</source>
+        <translation>%1 bekannt, %2 % daneben</translation>
+    </message>
+    <message>
+        <source>%1 %2 off</source>
+        <translation>%1 %2 daneben</translation>
+    </message>
+    <message>
+        <source>you entered %1, %2 % off</source>
+        <translation>Ihre Angabe %1, %2 % daneben</translation>
+    </message>
+    <message>
+        <source>the recording has %1, %2 % off</source>
+        <translation>laut Aufnahme %1, %2 % daneben</translation>
+    </message>
+    <message>
+        <source>%1 %2 off the centre you entered</source>
+        <translation>%1 %2 von Ihrem angegebenen Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>%1 %2 off the centre that the recording states</source>
+        <translation>%1 %2 vom Schwerpunkt, den die Aufnahme nennt</translation>
+    </message>
 </context>
 <context>
     <name>RobotChoice</name>
@@ -2449,14 +2412,6 @@ Bitte prüfen Sie den Namen.</translation>
 </context>
 <context>
     <name>SessionReport</name>
-    <message>
-        <source>Torque, measured less simulated [N m]</source>
-        <translation>Drehmoment, gemessen minus simuliert [N m]</translation>
-    </message>
-    <message>
-        <source>Force, measured less simulated [N]</source>
-        <translation>Kraft, gemessen minus simuliert [N]</translation>
-    </message>
     <message>
         <source>Torque [N m]</source>
         <translation>Drehmoment [N m]</translation>
@@ -2534,10 +2489,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>Known from</source>
-        <translation>Bekannt aus</translation>
-    </message>
-    <message>
         <source>Mass</source>
         <translation>Masse</translation>
     </message>
@@ -2546,16 +2497,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Schwerpunkt %1</translation>
     </message>
     <message>
-        <source>Compared with what was known</source>
-        <translation>Verglichen mit Bekanntem</translation>
-    </message>
-    <message>
         <source>Details</source>
         <translation>Einzelheiten</translation>
-    </message>
-    <message>
-        <source>To be noted</source>
-        <translation>Zu beachten</translation>
     </message>
     <message>
         <source>From [s]</source>
@@ -2570,44 +2513,20 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Marke</translation>
     </message>
     <message>
-        <source>Why</source>
-        <translation>Warum</translation>
-    </message>
-    <message>
-        <source>What touched nothing</source>
-        <translation>Was nichts berührte</translation>
-    </message>
-    <message>
         <source> (applied)</source>
         <translation> (angewandt)</translation>
-    </message>
-    <message>
-        <source>Unseen error %1 → %2; noise floor %3.</source>
-        <translation>Ungesehener Fehler %1 → %2; Rauschen %3.</translation>
     </message>
     <message>
         <source>Equally possible with this motion: %1. To decide: %2</source>
         <translation>Mit dieser Bewegung ebenso möglich: %1. Zum Entscheiden: %2</translation>
     </message>
     <message>
-        <source>Check on the rig: %1</source>
-        <translation>Am Aufbau prüfen: %1</translation>
-    </message>
-    <message>
         <source>Reality check: %1</source>
         <translation>Realitätsprüfung: %1</translation>
     </message>
     <message>
-        <source>Only the sensor’s noise is left: %1.</source>
-        <translation>Es bleibt nur das Rauschen des Sensors: %1.</translation>
-    </message>
-    <message>
         <source>The remaining error is related to %1; no known cause accounts for it.</source>
         <translation>Es bleibt etwas, das mit %1 zusammenhängt; keine bekannte Ursache erklärt es.</translation>
-    </message>
-    <message>
-        <source>With all causes the result changes: %1, %2 times its stated uncertainty.</source>
-        <translation>Mit allen Ursachen ändert sich das Ergebnis: %1, das %2-Fache der angegebenen Unsicherheit.</translation>
     </message>
     <message>
         <source>Torque difference by frequency [N m/√Hz]</source>
@@ -2628,10 +2547,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>without</source>
         <translation>ohne</translation>
-    </message>
-    <message>
-        <source>Could not have been seen: %1.</source>
-        <translation>Nicht zu sehen gewesen wären: %1.</translation>
     </message>
     <message>
         <source>Heft report: %1</source>
@@ -2662,10 +2577,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Heft-Bericht</translation>
     </message>
     <message>
-        <source>With all causes mass and centre stay the same.</source>
-        <translation>Mit allen Ursachen bleiben Masse und Schwerpunkt gleich.</translation>
-    </message>
-    <message>
         <source>What today’s entry costs</source>
         <translation>Was der heutige Eintrag kostet</translation>
     </message>
@@ -2674,8 +2585,255 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Beweis</translation>
     </message>
     <message>
-        <source>It is of other numbers than these.</source>
+        <source>Torque, measured minus simulated [N m]</source>
+        <translation>Drehmoment, gemessen minus simuliert [N m]</translation>
+    </message>
+    <message>
+        <source>Force, measured minus simulated [N]</source>
+        <translation>Kraft, gemessen minus simuliert [N]</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Compared with reference values</source>
+        <translation>Verglichen mit Vergleichswerten</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Marked segments</source>
+        <translation>Markierte Abschnitte</translation>
+    </message>
+    <message>
+        <source>Held-out error %1 → %2; noise floor %3.</source>
+        <translation>Ungesehener Fehler %1 → %2; Rauschen %3.</translation>
+    </message>
+    <message>
+        <source>Check on the robot: %1</source>
+        <translation>Am Roboter prüfen: %1</translation>
+    </message>
+    <message>
+        <source>The remaining error is sensor noise: %1.</source>
+        <translation>Es bleibt nur das Rauschen des Sensors: %1.</translation>
+    </message>
+    <message>
+        <source>With all causes applied the result changes: %1, %2 times its stated uncertainty.</source>
+        <translation>Mit allen Ursachen ändert sich das Ergebnis: %1, das %2-Fache der angegebenen Unsicherheit.</translation>
+    </message>
+    <message>
+        <source>Not detectable in this recording: %1.</source>
+        <translation>In dieser Aufnahme nicht erkennbar: %1.</translation>
+    </message>
+    <message>
+        <source>With all causes applied, mass and centre stay the same.</source>
+        <translation>Mit allen Ursachen bleiben Masse und Schwerpunkt gleich.</translation>
+    </message>
+    <message>
+        <source>It was made with other numbers than these.</source>
         <translation>Er gilt anderen Zahlen als diesen.</translation>
+    </message>
+</context>
+<context>
+    <name>SetupWords</name>
+    <message>
+        <source>Along the axes of</source>
+        <translation>Entlang der Achsen</translation>
+    </message>
+    <message>
+        <source>UR’s TCP force, for instance, is along the axes of the robot’s base</source>
+        <translation>Die TCP-Kraft von UR zum Beispiel steht in den Achsen des Robotersockels</translation>
+    </message>
+    <message>
+        <source>the sensor</source>
+        <translation>des Sensors</translation>
+    </message>
+    <message>
+        <source>the robot’s base</source>
+        <translation>des Robotersockels</translation>
+    </message>
+    <message>
+        <source>Torque about</source>
+        <translation>Moment um</translation>
+    </message>
+    <message>
+        <source>The reference point of the torque</source>
+        <translation>Der Punkt, um den das Moment genommen ist</translation>
+    </message>
+    <message>
+        <source>the sensor’s origin</source>
+        <translation>den Ursprung des Sensors</translation>
+    </message>
+    <message>
+        <source>the base’s origin</source>
+        <translation>den Ursprung des Sockels</translation>
+    </message>
+    <message>
+        <source>another point of the sensor</source>
+        <translation>einen anderen Punkt des Sensors</translation>
+    </message>
+    <message>
+        <source>Force direction</source>
+        <translation>Richtung der Kraft</translation>
+    </message>
+    <message>
+        <source>Hold the tool still: which way does the force point?</source>
+        <translation>Werkzeug ruhig gehalten: Wohin zeigt die Kraft?</translation>
+    </message>
+    <message>
+        <source>up when the tool hangs at rest</source>
+        <translation>nach oben, wenn das Werkzeug ruhig hängt</translation>
+    </message>
+    <message>
+        <source>down when the tool hangs at rest</source>
+        <translation>nach unten, wenn das Werkzeug ruhig hängt</translation>
+    </message>
+    <message>
+        <source>Torque sign</source>
+        <translation>Vorzeichen des Drehmoments</translation>
+    </message>
+    <message>
+        <source>Some drivers invert the torque but not the force</source>
+        <translation>Manche Treiber drehen das Moment um, die Kraft aber nicht</translation>
+    </message>
+    <message>
+        <source>as for the force</source>
+        <translation>wie das der Kraft</translation>
+    </message>
+    <message>
+        <source>opposite to the force</source>
+        <translation>entgegengesetzt zu dem der Kraft</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>What the first three of the six columns are</source>
+        <translation>Was die ersten drei der sechs Spalten sind</translation>
+    </message>
+    <message>
+        <source>force, then torque</source>
+        <translation>Kraft, dann Moment</translation>
+    </message>
+    <message>
+        <source>torque, then force</source>
+        <translation>Moment, dann Kraft</translation>
+    </message>
+    <message>
+        <source>Mirrored axis</source>
+        <translation>Gespiegelte Achse</translation>
+    </message>
+    <message>
+        <source>The axis along which force and torque have the opposite sign: a left-handed sensor</source>
+        <translation>Die Achse, entlang der Kraft und Moment das andere Vorzeichen haben: ein linkshändiger Sensor</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Unit of force</source>
+        <translation>Einheit der Kraft</translation>
+    </message>
+    <message>
+        <source>Unit used in the file</source>
+        <translation>Einheit in der Datei</translation>
+    </message>
+    <message>
+        <source>Unit of torque</source>
+        <translation>Einheit des Drehmoments</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Joint angles and their speeds</source>
+        <translation>Gelenkwinkel und ihre Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>Bogenmaß</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Positionen</translation>
+    </message>
+    <message>
+        <source>Positions and their speeds</source>
+        <translation>Positionen und ihre Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>A pose describes</source>
+        <translation>Eine Pose ist die</translation>
+    </message>
+    <message>
+        <source>Some programs write the inverse pose</source>
+        <translation>Manche Programme schreiben die Pose andersherum</translation>
+    </message>
+    <message>
+        <source>the sensor in the base</source>
+        <translation>des Sensors im Sockel</translation>
+    </message>
+    <message>
+        <source>the base in the sensor</source>
+        <translation>des Sockels im Sensor</translation>
+    </message>
+    <message>
+        <source>Quaternions</source>
+        <translation>Quaternionen</translation>
+    </message>
+    <message>
+        <source>Position of the real part w</source>
+        <translation>Wo der Realteil w steht</translation>
+    </message>
+    <message>
+        <source>Recording type</source>
+        <translation>Art der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Standing poses: one row per pose; times are ignored</source>
+        <translation>Stehende Posen: eine Zeile je Pose; Zeiten zählen nicht</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>standing poses</source>
+        <translation>stehende Posen</translation>
+    </message>
+    <message>
+        <source>Sensor’s origin x, y, z</source>
+        <translation>Ursprung des Sensors x, y, z</translation>
+    </message>
+    <message>
+        <source>Sensor’s rotation x, y, z</source>
+        <translation>Drehung des Sensors x, y, z</translation>
+    </message>
+    <message>
+        <source>Gravity x, y, z</source>
+        <translation>Schwerkraft x, y, z</translation>
     </message>
 </context>
 <context>
@@ -2683,10 +2841,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 needs %2 in mm with x between them.</source>
-        <translation>%1 braucht %2 in mm mit x dazwischen.</translation>
     </message>
     <message>
         <source>Box</source>
@@ -2721,10 +2875,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Greifer</translation>
     </message>
     <message>
-        <source>Several</source>
-        <translation>Mehrere</translation>
-    </message>
-    <message>
         <source>CAD mesh</source>
         <translation>CAD-Netz</translation>
     </message>
@@ -2747,14 +2897,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>diameter</source>
         <translation>Durchmesser</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>außen</translation>
-    </message>
-    <message>
-        <source>hole</source>
-        <translation>Loch</translation>
     </message>
     <message>
         <source>length</source>
@@ -2840,10 +2982,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Holz</translation>
     </message>
     <message>
-        <source>The hole must be smaller than the outside, %1.</source>
-        <translation>Das Loch muss kleiner sein als das Rohr außen, %1.</translation>
-    </message>
-    <message>
         <source>A wall of %1 is too thick for this size: it must be thinner than %2.</source>
         <translation>Eine Wand von %1 lässt keinen Hohlraum: Sie muss dünner als %2 sein.</translation>
     </message>
@@ -2852,24 +2990,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>diesem Material</translation>
     </message>
     <message>
-        <source>The parts weigh %1 together, more than the whole tool with %2.</source>
-        <translation>Die Teile wiegen zusammen %1, mehr als das ganze Werkzeug mit %2.</translation>
-    </message>
-    <message>
-        <source>In %1 it would weigh %2, more than the scale shows (%3): make it hollow, or take another material.</source>
-        <translation>Aus %1 würde es %2 wiegen, mehr als die Waage zeigt (%3): Machen Sie es hohl, oder nehmen Sie ein anderes Material.</translation>
-    </message>
-    <message>
         <source>shape expects box, cylinder, tube, sphere, cone, capsule, plate, gripper, several, mesh or unknown, not “%1”.</source>
         <translation>shape erwartet box, cylinder, tube, sphere, cone, capsule, plate, gripper, several, mesh oder unknown, nicht „%1“.</translation>
     </message>
     <message>
         <source>shape mesh expects a file: shape mesh tool.stl mm</source>
         <translation>shape mesh erwartet eine Datei: shape mesh tool.stl mm</translation>
-    </message>
-    <message>
-        <source>“%1” are no sizes that fit: lengths in mm with x between them.</source>
-        <translation>„%1“ sind keine passenden Maße: Längen in mm mit x dazwischen.</translation>
     </message>
     <message>
         <source>“at” expects x,y,z in mm, or with roll, pitch and yaw in degrees: at 0,0,60</source>
@@ -2886,6 +3012,38 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>“%1” is not understood after shape; see heft-studio --help.</source>
         <translation>„%1“ wird nach shape nicht verstanden; siehe heft-studio --help.</translation>
+    </message>
+    <message>
+        <source>%1 needs %2 in mm, separated by x.</source>
+        <translation>%1 braucht %2 in mm mit x dazwischen.</translation>
+    </message>
+    <message>
+        <source>Assembly</source>
+        <translation>Baugruppe</translation>
+    </message>
+    <message>
+        <source>outer</source>
+        <translation>außen</translation>
+    </message>
+    <message>
+        <source>inner</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>The inner diameter must be smaller than the outer one, %1.</source>
+        <translation>Der innere Durchmesser muss kleiner sein als der äußere, %1.</translation>
+    </message>
+    <message>
+        <source>The parts together weigh %1, more than the whole tool (%2).</source>
+        <translation>Die Teile wiegen zusammen %1, mehr als das ganze Werkzeug mit %2.</translation>
+    </message>
+    <message>
+        <source>In %1 it would weigh %2, more than the scale shows (%3): make it hollow, or choose another material.</source>
+        <translation>Aus %1 würde es %2 wiegen, mehr als die Waage zeigt (%3): Machen Sie es hohl, oder nehmen Sie ein anderes Material.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a valid size: give lengths in mm, separated by x.</source>
+        <translation>„%1“ ist keine gültige Größe: Längen in mm, getrennt durch x.</translation>
     </message>
 </context>
 <context>
@@ -2950,16 +3108,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Hinweis</translation>
     </message>
     <message>
-        <source>Only {:.1f} s touch nothing, so the result&apos;s bias is taken off; it may be that of another day.</source>
-        <translation>Nur {:.1f} s berühren nichts, deshalb wird der Nullpunkt des Ergebnisses abgezogen; er kann der eines anderen Tages sein.</translation>
-    </message>
-    <message>
         <source>Record a second of free motion before the contact.</source>
         <translation>Nehmen Sie vor dem Kontakt eine Sekunde freie Bewegung auf.</translation>
-    </message>
-    <message>
-        <source>In free motion {:.2g} N remain, where the sensor&apos;s own scatter is {:.2g} N: the payload is not that of this recording, or something else is at work.</source>
-        <translation>In freier Bewegung bleiben {:.2g} N übrig, wo der Sensor selbst um {:.2g} N streut: Die Last ist nicht die dieser Aufnahme, oder etwas anderes wirkt mit.</translation>
     </message>
     <message>
         <source>Estimate the payload from this recording, or diagnose it.</source>
@@ -2978,20 +3128,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Lassen Sie den Sensor warm werden, und halten Sie die Aufnahmen kurz.</translation>
     </message>
     <message>
-        <source>With these causes taken out the payload would be impossible, so it is left as it was.</source>
-        <translation>Ohne diese Ursachen wäre die Last unmöglich, deshalb bleibt sie, wie sie war.</translation>
-    </message>
-    <message>
         <source>Repeat the recording without touching anything.</source>
         <translation>Wiederholen Sie die Aufnahme, ohne etwas zu berühren.</translation>
-    </message>
-    <message>
-        <source>Taking these causes out does not help to predict held-out segments, so the payload is left as it was.</source>
-        <translation>Diese Ursachen herauszunehmen hilft nicht, ungesehene Abschnitte vorherzusagen; deshalb bleibt die Last, wie sie war.</translation>
-    </message>
-    <message>
-        <source>Find what is unknown first: record the motion once more, more slowly.</source>
-        <translation>Finden Sie zuerst, was unbekannt ist: Nehmen Sie die Bewegung noch einmal auf, langsamer.</translation>
     </message>
     <message>
         <source>The searched region shrank to nothing.</source>
@@ -3018,10 +3156,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Beendet, weil die Eingaben nicht passten.</translation>
     </message>
     <message>
-        <source>Without the bound some mass would lie outside the shape; holding it inside moved the result by {:.1f} standard deviations.</source>
-        <translation>Ohne die Grenze läge etwas Masse außerhalb der Form; sie innen zu halten verschob das Ergebnis um {:.1f} Standardabweichungen.</translation>
-    </message>
-    <message>
         <source>The mass lies inside the shape even without the bound.</source>
         <translation>Die Masse liegt auch ohne die Grenze innerhalb der Form.</translation>
     </message>
@@ -3036,10 +3170,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Give it with --known to hold it fixed.</source>
         <translation>Geben Sie ihn mit --known an, um ihn festzuhalten.</translation>
-    </message>
-    <message>
-        <source>The inertia is neither estimated nor given; a tool of usual size was assumed for it.</source>
-        <translation>Die Trägheit ist weder bestimmt noch angegeben; die eines Werkzeugs üblicher Größe wurde angenommen.</translation>
     </message>
     <message>
         <source>Give it with --known, or a shape with --shape.</source>
@@ -3066,16 +3196,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>eine Achse quer zum Werkzeug</translation>
     </message>
     <message>
-        <source>an axis in the tool&apos;s flat side</source>
-        <translation>eine Achse in der flachen Seite des Werkzeugs</translation>
-    </message>
-    <message>
         <source>the tool&apos;s long axis</source>
         <translation>die Längsachse des Werkzeugs</translation>
-    </message>
-    <message>
-        <source>the axis square to the tool&apos;s flat side</source>
-        <translation>die Achse senkrecht zur flachen Seite des Werkzeugs</translation>
     </message>
     <message>
         <source>mass</source>
@@ -3102,18 +3224,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Das Werkzeug wurde nicht in genug Richtungen geneigt, um zu sagen, wo sein Schwerpunkt entlang {} liegt.</translation>
     </message>
     <message>
-        <source>Recording {} contradicts the others: {:.3f} kg against {:.3f} kg, centre of mass {:.0f} mm apart. It was left out.</source>
-        <translation>Aufnahme {} widerspricht den anderen: {:.3f} kg gegen {:.3f} kg, Schwerpunkte {:.0f} mm auseinander. Sie wurde ausgelassen.</translation>
-    </message>
-    <message>
-        <source>Two recordings cannot show which of them has the right tool: check both.</source>
-        <translation>Bei zwei Aufnahmen kann niemand sagen, welche vom richtigen Werkzeug ist: Prüfen Sie beide.</translation>
-    </message>
-    <message>
-        <source>Estimate it by itself.</source>
-        <translation>Werten Sie sie für sich allein aus.</translation>
-    </message>
-    <message>
         <source>{:.1f} to {:.1f} s</source>
         <translation>{:.1f} bis {:.1f} s</translation>
     </message>
@@ -3122,20 +3232,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} und {} weitere</translation>
     </message>
     <message>
-        <source>{:.1f} s of {:.1f} s looked like contact and were left out: {}.</source>
-        <translation>{:.1f} s von {:.1f} s sahen nach Kontakt aus und wurden ausgelassen: {}.</translation>
-    </message>
-    <message>
-        <source>Trust is low with so little free motion: check the marks, or record a longer free part.</source>
-        <translation>Bei so wenig freier Bewegung ist das Vertrauen gering: Prüfen Sie die Markierungen, oder nehmen Sie einen längeren freien Teil auf.</translation>
-    </message>
-    <message>
         <source>Mark them by hand if that is wrong.</source>
         <translation>Markieren Sie sie von Hand, wenn das falsch ist.</translation>
-    </message>
-    <message>
-        <source>Trust is low: the true values may lie outside the intervals. Look at where the difference is large.</source>
-        <translation>Das Vertrauen ist gering: Die wahren Werte können außerhalb der Bereiche liegen. Sehen Sie nach, wo die Differenz groß ist.</translation>
     </message>
     <message>
         <source>A plain fit gives a mass of {:.2f} kg: the wrench seems to have the opposite sign.</source>
@@ -3143,7 +3241,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Set sensor.wrench_sign in the setup file to the other convention (sensor_on_payload or payload_on_sensor).</source>
-        <translation>Setzen Sie sensor.wrench_sign in der Meta-Datei auf den anderen Wert (sensor_on_payload oder payload_on_sensor).</translation>
+        <translation>Setzen Sie sensor.wrench_sign in der Aufbaudatei auf den anderen Wert (sensor_on_payload oder payload_on_sensor).</translation>
     </message>
     <message>
         <source>centre along {}</source>
@@ -3158,28 +3256,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} ({:.0f} Sigma)</translation>
     </message>
     <message>
-        <source>What you entered and what the motion shows disagree about: {}.</source>
-        <translation>Ihre Angaben und die Bewegung widersprechen sich bei: {}.</translation>
-    </message>
-    <message>
-        <source>Either the given values are of another tool or place, or the sensor&apos;s calibration is off: trust is low.</source>
-        <translation>Entweder gehören die Angaben zu einem anderen Werkzeug oder Ort, oder die Kalibrierung des Sensors stimmt nicht: Das Vertrauen ist gering.</translation>
-    </message>
-    <message>
-        <source>The estimated mass is {:.0f} % away from the known one, far outside its interval.</source>
-        <translation>Die bestimmte Masse weicht um {:.0f} % von der bekannten ab, weit außerhalb ihres Bereichs.</translation>
-    </message>
-    <message>
-        <source>Either the known value is of another tool, or the sensor&apos;s calibration is off: trust is low.</source>
-        <translation>Entweder gehört der bekannte Wert zu einem anderen Werkzeug, oder die Kalibrierung des Sensors stimmt nicht: Das Vertrauen ist gering.</translation>
-    </message>
-    <message>
         <source>This motion does not determine the mass; the number is a placeholder.</source>
         <translation>Diese Bewegung verrät die Masse nicht; die Zahl ist ein Platzhalter.</translation>
-    </message>
-    <message>
-        <source>Tilt the tool into several directions.</source>
-        <translation>Neigen Sie das Werkzeug in mehrere Richtungen.</translation>
     </message>
     <message>
         <source>This motion does not determine the whole centre of mass; what is marked &quot;none&quot; is a placeholder.</source>
@@ -3194,24 +3272,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Diese Bewegung verrät {} der drei Trägheitsmomente nicht; sie sind Platzhalter mit weiten Bereichen.</translation>
     </message>
     <message>
-        <source>Turn the tool faster, or give its shape.</source>
-        <translation>Drehen Sie das Werkzeug schneller, oder geben Sie seine Form an.</translation>
-    </message>
-    <message>
         <source>centre of mass</source>
         <translation>Schwerpunkt</translation>
     </message>
     <message>
         <source>inertia</source>
         <translation>Trägheit</translation>
-    </message>
-    <message>
-        <source>The motion adds less than what you entered about: {}. These numbers are mainly yours.</source>
-        <translation>Die Bewegung sagt weniger als Ihre Angaben über: {}. Diese Zahlen sind überwiegend Ihre eigenen.</translation>
-    </message>
-    <message>
-        <source>No real body has these numbers: {}</source>
-        <translation>Kein wirklicher Körper hat diese Zahlen: {}</translation>
     </message>
     <message>
         <source>Use the method map, which always gives a possible payload.</source>
@@ -3234,56 +3300,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Diese Bewegung sagt über einige Größen gar nichts.</translation>
     </message>
     <message>
-        <source>The forces fit a sensor that swings about a point {:.2g} m away, so its acceleration was taken from that instead of zero.</source>
-        <translation>Die Kräfte passen zu einem Sensor, der um einen {:.2g} m entfernten Punkt schwingt; seine Beschleunigung wurde daraus genommen statt null.</translation>
-    </message>
-    <message>
-        <source>Contact leaves only {:.1f} s inside the trimmed range, so the free parts at the recording&apos;s ends are used too.</source>
-        <translation>Der Kontakt lässt im beschnittenen Bereich nur {:.1f} s übrig, deshalb werden auch die freien Teile an den Enden der Aufnahme benutzt.</translation>
-    </message>
-    <message>
-        <source>Give --trim to keep them out.</source>
-        <translation>Mit --trim bleiben sie draußen.</translation>
-    </message>
-    <message>
-        <source>The tool stood still all the time.</source>
-        <translation>Das Werkzeug stand die ganze Zeit still.</translation>
-    </message>
-    <message>
-        <source>Tilt it into several directions: at rest its weight and the sensor&apos;s bias look alike.</source>
-        <translation>Neigen Sie es in mehrere Richtungen: In Ruhe sehen sein Gewicht und der Nullpunkt des Sensors gleich aus.</translation>
-    </message>
-    <message>
         <source>Could not find a material density that fits this shape.</source>
         <translation>Die Suche nach dem Material der Form kam zu keinem Ende.</translation>
     </message>
     <message>
-        <source>Check the shape&apos;s size and place.</source>
-        <translation>Prüfen Sie Größe und Platz der Form.</translation>
-    </message>
-    <message>
-        <source>The shape and the measured motion contradict each other: a tool of that shape and place would have moved the sensor differently.</source>
-        <translation>Form und gemessene Bewegung widersprechen sich: Ein Werkzeug dieser Form an diesem Platz hätte den Sensor anders bewegt.</translation>
-    </message>
-    <message>
-        <source>Check the shape&apos;s size and where it sits, or leave it away.</source>
-        <translation>Prüfen Sie Größe und Platz der Form, oder lassen Sie sie weg.</translation>
-    </message>
-    <message>
-        <source>Check the shape&apos;s size and where it sits, or choose &quot;rough&quot;.</source>
-        <translation>Prüfen Sie Größe und Platz der Form, oder wählen Sie „ungefähr“.</translation>
-    </message>
-    <message>
-        <source>The payload weighs {:.3f} kg; the robot is made for {} kg.</source>
-        <translation>Die Last wiegt {:.3f} kg; der Roboter ist für {} kg gebaut.</translation>
-    </message>
-    <message>
         <source>Check the recording&apos;s frame and sign, or use a lighter tool.</source>
         <translation>Prüfen Sie Achsen und Vorzeichen der Aufnahme, oder nehmen Sie ein leichteres Werkzeug.</translation>
-    </message>
-    <message>
-        <source>An entry of the inertia is {:.4g} kg m2; set_target_payload takes at most {} kg m2.</source>
-        <translation>Ein Eintrag der Trägheit ist {:.4g} kg m²; set_target_payload nimmt höchstens {} kg m².</translation>
     </message>
     <message>
         <source>Check the units of the inertia.</source>
@@ -3296,10 +3318,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The tool centre point is written at the flange.</source>
         <translation>Als Werkzeugmittelpunkt steht der Flansch in der Datei.</translation>
-    </message>
-    <message>
-        <source>Set it in Desk, or state it before exporting.</source>
-        <translation>Setzen Sie ihn in Desk, oder geben Sie ihn vor dem Export an.</translation>
     </message>
     <message>
         <source>The tool&apos;s rotation is left out: this format&apos;s angle unit is not known.</source>
@@ -3318,10 +3336,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Vergleichen Sie die Datei mit einer, die Ihre Steuerung geschrieben hat.</translation>
     </message>
     <message>
-        <source>the form of the profile and the unit of its angles (zeros are written)</source>
-        <translation>die Form des Profils und die Einheit seiner Winkel (es werden Nullen geschrieben)</translation>
-    </message>
-    <message>
         <source>the name of the service, /service_server/set_load</source>
         <translation>der Name des Dienstes, /service_server/set_load</translation>
     </message>
@@ -3332,14 +3346,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>the unit of the inertia, kgf cm s2</source>
         <translation>die Einheit der Trägheit, kgf cm s²</translation>
-    </message>
-    <message>
-        <source>The sensor&apos;s parent link {} is not known as a flange and was taken for it.</source>
-        <translation>Das Glied {}, an dem der Sensor sitzt, ist nicht als Flansch bekannt und wurde dafür genommen.</translation>
-    </message>
-    <message>
-        <source>State the sensor&apos;s pose on the flange if it is not.</source>
-        <translation>Geben Sie die Lage des Sensors am Flansch an, wenn das nicht stimmt.</translation>
     </message>
     <message>
         <source>centre of mass {}</source>
@@ -3354,46 +3360,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Aus dieser Bewegung nicht bekannt, also nur geraten: {}.</translation>
     </message>
     <message>
-        <source>Record a motion that turns the tool faster, or tell its shape, before you trust these numbers.</source>
-        <translation>Nehmen Sie eine Bewegung auf, die das Werkzeug schneller dreht, oder nennen Sie seine Form, bevor Sie diesen Zahlen trauen.</translation>
-    </message>
-    <message>
-        <source>From the shape or values you gave, not measured: {}.</source>
-        <translation>Aus Form oder Angaben von Ihnen, nicht gemessen: {}.</translation>
-    </message>
-    <message>
-        <source>Check them before the robot relies on them.</source>
-        <translation>Prüfen Sie sie, bevor der Roboter sich darauf verlässt.</translation>
-    </message>
-    <message>
-        <source>The result does not state where the sensor is mounted; its frame was taken for the flange&apos;s.</source>
-        <translation>Das Ergebnis sagt nicht, wo der Sensor sitzt; seine Achsen wurden für die des Flansches genommen.</translation>
-    </message>
-    <message>
-        <source>State the sensor&apos;s pose on the flange.</source>
-        <translation>Geben Sie die Lage des Sensors am Flansch an.</translation>
-    </message>
-    <message>
-        <source>The estimate itself says that it is not physically possible.</source>
-        <translation>Die Bestimmung sagt selbst, dass ihr Ergebnis körperlich nicht möglich ist.</translation>
-    </message>
-    <message>
-        <source>Use the method map, or a longer recording that turns the tool faster.</source>
-        <translation>Nehmen Sie das Verfahren map, oder eine längere Aufnahme, die das Werkzeug schneller dreht.</translation>
-    </message>
-    <message>
-        <source>The HDF5 file is damaged; the datasets that can be reached were read.</source>
-        <translation>Die HDF5-Datei ist beschädigt; gelesen wurden die Datensätze, die erreichbar sind.</translation>
-    </message>
-    <message>
-        <source>Write each quantity as a dataset of numbers with one row a sample.</source>
-        <translation>Schreiben Sie jede Größe als Datensatz von Zahlen mit einer Zeile je Messung.</translation>
-    </message>
-    <message>
-        <source>Left out, as they are no tables of numbers: {}.</source>
-        <translation>Ausgelassen, weil es keine Zahlentabellen sind: {}.</translation>
-    </message>
-    <message>
         <source>The selected datasets hold more than {} million numbers; the rest was not read.</source>
         <translation>Die gewählten Datensätze enthalten mehr als {} Millionen Zahlen; der Rest wurde nicht gelesen.</translation>
     </message>
@@ -3402,24 +3368,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Datensatz /{} ist beschädigt oder abgeschnitten.</translation>
     </message>
     <message>
-        <source>There is no {} beside the recording; defaults hold: wrench of the sensor on the payload, gravity (0, 0, -9.81) m/s2.</source>
-        <translation>Neben der Aufnahme fehlt {}; es gelten die Voreinstellungen: Kraft des Sensors auf die Last, Schwerkraft (0, 0, −9,81) m/s².</translation>
-    </message>
-    <message>
         <source>Not every topic stamps its messages, so the recorder&apos;s times are used for all.</source>
         <translation>Nicht jedes Topic stempelt seine Nachrichten, deshalb gelten für alle die Zeiten des Rekorders.</translation>
     </message>
     <message>
-        <source>The stamps of {} are on another clock: {:.4f} s were added, from when its messages arrived.</source>
-        <translation>Die Zeitstempel von {} laufen nach einer anderen Uhr: {:.4f} s wurden addiert, nach der Ankunft der Nachrichten.</translation>
-    </message>
-    <message>
         <source>{} of {} samples of {} lack a value and were left out.</source>
         <translation>{} von {} Messungen von {} fehlt ein Wert; sie wurden ausgelassen.</translation>
-    </message>
-    <message>
-        <source>{} samples of {} were not in the order of their times and were sorted.</source>
-        <translation>{} Messungen von {} standen nicht in der Reihenfolge ihrer Zeiten und wurden sortiert.</translation>
     </message>
     <message>
         <source>{} of {} samples of {} repeat a time and were left out.</source>
@@ -3428,10 +3382,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>{} and {} are on different clocks: the wrench was shifted by {}.</source>
         <translation>{} und {} laufen nach verschiedenen Uhren: Die Kräfte wurden um {} verschoben.</translation>
-    </message>
-    <message>
-        <source>Found by letting the force follow the motion; a delay of the sensor itself is thereby taken out, too.</source>
-        <translation>Gefunden, indem die Kraft der Bewegung folgt; eine Verspätung des Sensors selbst ist damit auch herausgenommen.</translation>
     </message>
     <message>
         <source>On their common clock the force of {} follows the motion of {} best when shifted by {}; nothing was shifted.</source>
@@ -3450,20 +3400,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>der andere wird interpoliert</translation>
     </message>
     <message>
-        <source>At {} of {} times one of the streams has a gap; they were left out.</source>
-        <translation>Zu {} von {} Zeiten hat einer der Ströme eine Lücke; sie wurden ausgelassen.</translation>
-    </message>
-    <message>
         <source>The motion comes at {:.3g} Hz only; inertia needs about 100 Hz or more.</source>
         <translation>Die Bewegung kommt nur mit {:.3g} Hz; die Trägheit braucht etwa 100 Hz oder mehr.</translation>
     </message>
     <message>
         <source>Panda&apos;s ROS driver publishes at 30 Hz by default: raise its publish rate to 1000 Hz.</source>
         <translation>Der ROS-Treiber des Panda sendet von sich aus mit 30 Hz: Stellen Sie seine Rate auf 1000 Hz.</translation>
-    </message>
-    <message>
-        <source>The poses are the flange&apos;s; the sensor&apos;s follow by its mount.</source>
-        <translation>Die Posen sind die des Flansches; die des Sensors folgen aus seiner Befestigung.</translation>
     </message>
     <message>
         <source>{} chunks of the file are damaged; what could be unpacked was read.</source>
@@ -3522,20 +3464,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Ordner hat keine metadata.yaml; seine Bag-Dateien wurden gelesen.</translation>
     </message>
     <message>
-        <source>&quot;{}&quot; is no label ({} such rows, read as not labelled).</source>
-        <translation>„{}“ ist keine Markierung ({} solche Zeilen, als nicht markiert gelesen).</translation>
-    </message>
-    <message>
         <source>Labels are free, contact or ignore.</source>
         <translation>Markierungen heißen free, contact oder ignore.</translation>
     </message>
     <message>
         <source>The last line ends in the middle and was left out.</source>
         <translation>Die letzte Zeile endet mittendrin und wurde ausgelassen.</translation>
-    </message>
-    <message>
-        <source>{} of {} lines are no JSON objects and were left out.</source>
-        <translation>{} von {} Zeilen sind keine JSON-Objekte und wurden ausgelassen.</translation>
     </message>
     <message>
         <source>The reported {} velocities lag the positions by {:.0f} ms; velocities and accelerations are taken from the positions.</source>
@@ -3558,32 +3492,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Nehmen Sie px, py, pz oder die Gelenkwinkel auf, dann sind die Zahlen vertrauenswürdig.</translation>
     </message>
     <message>
-        <source>The tool changed at {:.1f} s: {:.2f} kg became {:.2f} kg. The estimate starts anew with what came after.</source>
-        <translation>Das Werkzeug wechselte bei {:.1f} s: Aus {:.2f} kg wurden {:.2f} kg. Die Bestimmung beginnt neu mit dem, was danach kam.</translation>
-    </message>
-    <message>
-        <source>Estimate before and after apart.</source>
-        <translation>Werten Sie vorher und nachher getrennt aus.</translation>
-    </message>
-    <message>
-        <source>From {:.1f} s on the tool is the one from before, of {:.2f} kg.</source>
-        <translation>Ab {:.1f} s ist es wieder das Werkzeug von vorher, mit {:.2f} kg.</translation>
-    </message>
-    <message>
         <source>The data had {} gaps.</source>
         <translation>Die Daten hatten {} Lücken.</translation>
     </message>
     <message>
-        <source>{} samples were not usable: not finite, without motion, or with a time that does not rise.</source>
-        <translation>{} Messungen waren nicht brauchbar: nicht endlich, ohne Bewegung, oder mit einer Zeit, die nicht steigt.</translation>
-    </message>
-    <message>
         <source>Check the source.</source>
         <translation>Prüfen Sie die Quelle.</translation>
-    </message>
-    <message>
-        <source>{:.1f} s looked like contact and were left out, {:.1f} s were free: trust is low.</source>
-        <translation>{:.1f} s sahen nach Kontakt aus und wurden ausgelassen, {:.1f} s waren frei: Das Vertrauen ist gering.</translation>
     </message>
     <message>
         <source>Move the tool without touching anything.</source>
@@ -3634,16 +3548,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} ist {} lang.</translation>
     </message>
     <message>
-        <source>{}: {} triangles pointed the other way than their neighbours and were turned.</source>
-        <translation>{}: {} Dreiecke zeigten anders herum als ihre Nachbarn und wurden gedreht.</translation>
-    </message>
-    <message>
         <source>Recompute the normals in the program that wrote the mesh.</source>
         <translation>Berechnen Sie die Normalen in dem Programm neu, das das Netz geschrieben hat.</translation>
-    </message>
-    <message>
-        <source>{} is inside-out ({} of {} closed pieces); it was turned round.</source>
-        <translation>{} ist umgestülpt ({} von {} geschlossenen Teilen); es wurde gewendet.</translation>
     </message>
     <message>
         <source>Flip the normals in the program that wrote the mesh if this is not wanted.</source>
@@ -3670,10 +3576,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Sie wurden ausgelassen.</translation>
     </message>
     <message>
-        <source>{}: {:.0f} % of the volume is counted again because parts overlap.</source>
-        <translation>{}: {:.0f} % des Volumens zählen doppelt, weil Teile sich überlappen.</translation>
-    </message>
-    <message>
         <source>{} has a density of {:.4g} kg/m3.</source>
         <translation>{} hat eine Dichte von {:.4g} kg/m³.</translation>
     </message>
@@ -3690,48 +3592,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Gelesen: {}.</translation>
     </message>
     <message>
-        <source>Column {} is missing, so the joints are set aside and the sensor&apos;s pose is used.</source>
-        <translation>Spalte {} fehlt, deshalb bleiben die Gelenke beiseite und die Sensorpose wird benutzt.</translation>
-    </message>
-    <message>
-        <source>Column {} is missing, so the sensor&apos;s pose is set aside and the joints are used.</source>
-        <translation>Spalte {} fehlt, deshalb bleibt die Sensorpose beiseite und die Gelenke werden benutzt.</translation>
-    </message>
-    <message>
-        <source>Column {} is missing, so the position is set aside and the joints are used.</source>
-        <translation>Spalte {} fehlt, deshalb bleibt der Ort beiseite und die Gelenke werden benutzt.</translation>
-    </message>
-    <message>
-        <source>A position without an orientation is set aside.</source>
-        <translation>Ein Ort ohne Ausrichtung bleibt beiseite.</translation>
-    </message>
-    <message>
-        <source>The joint velocities do not match the joints one by one and are set aside.</source>
-        <translation>Die Gelenkgeschwindigkeiten passen nicht einzeln zu den Gelenken und bleiben beiseite.</translation>
-    </message>
-    <message>
-        <source>The twist is incomplete or without an orientation and is set aside.</source>
-        <translation>Die Geschwindigkeit des Sensors ist unvollständig oder ohne Ausrichtung und bleibt beiseite.</translation>
-    </message>
-    <message>
-        <source>{} column is kept aside unused: {}.</source>
-        <translation>{} Spalte bleibt unbenutzt beiseite: {}.</translation>
-    </message>
-    <message>
-        <source>{} columns are kept aside unused: {}{}.</source>
-        <translation>{} Spalten bleiben unbenutzt beiseite: {}{}.</translation>
-    </message>
-    <message>
         <source>Blank lines between the rows were skipped.</source>
         <translation>Leerzeilen zwischen den Zeilen wurden übersprungen.</translation>
     </message>
     <message>
         <source>{} unknown columns of {} rows are too many to keep.</source>
         <translation>{} unbekannte Spalten mit {} Zeilen sind zu viele, um sie aufzuheben.</translation>
-    </message>
-    <message>
-        <source>{} missing in {} of {} rows and left aside.</source>
-        <translation>{} in {} von {} Zeilen und bleiben beiseite.</translation>
     </message>
     <message>
         <source>The joint velocities are</source>
@@ -3796,10 +3662,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>overlaps marks[{}], which has another label</source>
         <translation>überlappt marks[{}], das anders markiert ist</translation>
-    </message>
-    <message>
-        <source>The later mark counts; correct their limits.</source>
-        <translation>Die spätere Markierung zählt; berichtigen Sie ihre Grenzen.</translation>
     </message>
     <message>
         <source>{} do not fit the positions: factor {:.3g}, correlation {:.2f}.</source>
@@ -3930,10 +3792,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Kraft beginnt bei {:.2g} N und reicht später über {:.3g} N: Der Sensor wurde wohl mit der Last daran auf null gesetzt.</translation>
     </message>
     <message>
-        <source>The estimated bias then holds the weight at that posture.</source>
-        <translation>Der bestimmte Nullpunkt enthält dann das Gewicht in jener Haltung.</translation>
-    </message>
-    <message>
         <source>Torques vary {:.3g} times as much as forces, as if the payload sat {:.3g} m away.</source>
         <translation>Die Momente ändern sich {:.3g}-mal so stark wie die Kräfte, als säße die Last {:.3g} m entfernt.</translation>
     </message>
@@ -3962,10 +3820,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Rate ist {:.3g} Hz (Median); die Trägheit braucht etwa 100 Hz oder mehr.</translation>
     </message>
     <message>
-        <source>Mass and centre of mass can still be had; record faster for the inertia.</source>
-        <translation>Masse und Schwerpunkt sind trotzdem zu haben; für die Trägheit nehmen Sie schneller auf.</translation>
-    </message>
-    <message>
         <source>{} gap in time, together {}; the longest is {} at {:.6g} s, where steps are {} (median).</source>
         <translation>{} Lücke in der Zeit, zusammen {}; die längste ist {} bei {:.6g} s, wo Schritte {} lang sind (Median).</translation>
     </message>
@@ -3974,20 +3828,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} Lücken in der Zeit, zusammen {}; die längste ist {} bei {:.6g} s, wo Schritte {} lang sind (Median).</translation>
     </message>
     <message>
-        <source>Samples were lost there; the motion is bridged by interpolation.</source>
-        <translation>Dort gingen Messwerte verloren; die Bewegung ist durch Interpolation überbrückt.</translation>
-    </message>
-    <message>
         <source>Time steps vary: nine in ten lie between {} and {}, median {} ({:.4g} Hz).</source>
         <translation>Die Zeitschritte schwanken: Neun von zehn liegen zwischen {} und {}, Median {} ({:.4g} Hz).</translation>
     </message>
     <message>
         <source>The recording is resampled on a uniform clock.</source>
         <translation>Die Aufnahme wird auf eine gleichmäßige Uhr umgerechnet.</translation>
-    </message>
-    <message>
-        <source>The time of the standing poses is missing or does not rise; they are numbered 0, 1, 2, ... instead.</source>
-        <translation>Die Zeit der stehenden Posen fehlt oder steigt nicht; sie sind stattdessen 0, 1, 2, ... nummeriert.</translation>
     </message>
     <message>
         <source>{} joint(s) are not on the arm&apos;s main chain and are held still: {}</source>
@@ -4210,10 +4056,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Gelenk „{}“ darf sich von {} bis {} rad drehen.</translation>
     </message>
     <message>
-        <source>joint &quot;{}&quot; mimics &quot;{}&quot;, which is no other joint</source>
-        <translation>Gelenk „{}“ ahmt „{}“ nach, das kein anderes Gelenk ist.</translation>
-    </message>
-    <message>
         <source>no link is the root: the joints form a closed loop</source>
         <translation>Kein Glied ist die Wurzel: Die Gelenke bilden einen geschlossenen Ring.</translation>
     </message>
@@ -4232,10 +4074,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Join them by a (fixed) joint</source>
         <translation>Verbinden Sie sie durch ein (festes) Gelenk.</translation>
-    </message>
-    <message>
-        <source>link &quot;{}&quot; is in a closed loop that hangs on nothing</source>
-        <translation>Glied „{}“ liegt in einem geschlossenen Ring, der an nichts hängt.</translation>
     </message>
     <message>
         <source>It is left out</source>
@@ -4354,10 +4192,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Nicht als frei markiert.</translation>
     </message>
     <message>
-        <source>Everything was asked for.</source>
-        <translation>Es wurde nach allem gefragt.</translation>
-    </message>
-    <message>
         <source>Not marked as contact.</source>
         <translation>Nicht als Kontakt markiert.</translation>
     </message>
@@ -4442,44 +4276,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Haltung liegt außerhalb der Gelenkbereiche: Von dort kann keine Bewegung beginnen.</translation>
     </message>
     <message>
-        <source>No motion from this posture keeps all limits. Bring the arm into the middle of its joints&apos; ranges first.</source>
-        <translation>Keine Bewegung aus dieser Haltung hält alle Grenzen ein. Bringen Sie den Arm zuerst in die Mitte seiner Gelenkbereiche.</translation>
-    </message>
-    <message>
         <source>The coach has no motion called &quot;{}&quot;.</source>
         <translation>Der Coach kennt keine Bewegung namens „{}“.</translation>
     </message>
     <message>
-        <source>This motion does not keep the limits from here. Bring the arm into the middle of its joints&apos; ranges.</source>
-        <translation>Diese Bewegung hält von hier aus die Grenzen nicht ein. Bringen Sie den Arm in die Mitte seiner Gelenkbereiche.</translation>
-    </message>
-    <message>
-        <source>Looking at single readings</source>
-        <translation>Einzelne Messwerte werden angesehen</translation>
-    </message>
-    <message>
-        <source>Measuring the gain on held-out segments</source>
-        <translation>Der Gewinn auf ungesehenen Abschnitten wird gemessen</translation>
-    </message>
-    <message>
         <source>Estimating the payload again</source>
         <translation>Die Last wird neu geschätzt</translation>
-    </message>
-    <message>
-        <source>Trying causes</source>
-        <translation>Ursachen werden ausprobiert</translation>
-    </message>
-    <message>
-        <source>Comparing what could stand in its place</source>
-        <translation>Es wird verglichen, was an deren Stelle stehen könnte</translation>
-    </message>
-    <message>
-        <source>Trying the search on simulated clean recordings</source>
-        <translation>Die Suche wird an simulierten sauberen Aufnahmen erprobt</translation>
-    </message>
-    <message>
-        <source>Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.</source>
-        <translation>Nur {:.1f} s der Aufnahme lassen sich beurteilen; mindestens 2 s ohne Berührung sind nötig.</translation>
     </message>
     <message>
         <source>The trim is a fraction of the duration at each end, from 0 to below 0.5, not {}.</source>
@@ -4504,18 +4306,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Singular value decomposition done.</source>
         <translation>Singulärwertzerlegung ausgeführt.</translation>
-    </message>
-    <message>
-        <source>No free motion is left to estimate from: of {:.1f} s only {:.1f} s touch nothing inside the trimmed range. Check the marks, or lower the trim.</source>
-        <translation>Es bleibt keine freie Bewegung für die Schätzung: Von {:.1f} s berühren im beschnittenen Bereich nur {:.1f} s nichts. Prüfen Sie die Markierungen, oder beschneiden Sie weniger.</translation>
-    </message>
-    <message>
-        <source>Only {} standing poses are there; at least 6 in different tilts are needed.</source>
-        <translation>Es gibt nur {} stehende Posen; mindestens 6 in verschiedenen Neigungen sind nötig.</translation>
-    </message>
-    <message>
-        <source>Working out how the tool moved</source>
-        <translation>Es wird ermittelt, wie sich das Werkzeug bewegt hat</translation>
     </message>
     <message>
         <source>Learning the sensor&apos;s noise</source>
@@ -4547,11 +4337,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>{} holds no sensor mount: expected &quot;sensor&quot;: {{&quot;mount&quot;: {{&quot;xyz_m&quot;: [x,y,z], &quot;rpy_rad&quot;: [r,p,y]}}}} as in a setup file.</source>
-        <translation>{} enthält keine Sensormontage: Erwartet wird &quot;sensor&quot;: {{&quot;mount&quot;: {{&quot;xyz_m&quot;: [x,y,z], &quot;rpy_rad&quot;: [r,p,y]}}}} wie in einer Meta-Datei.</translation>
-    </message>
-    <message>
-        <source>{} is a {} file, from which no payload is taken; give the --json file of &apos;heft estimate&apos; or the --result file of &apos;heft diagnose&apos;.</source>
-        <translation>{} ist eine {}-Datei, aus der keine Last genommen wird; geben Sie die mit --json geschriebene Datei von „heft estimate“ oder die mit --result geschriebene von „heft diagnose“ an.</translation>
+        <translation>{} enthält keine Sensormontage: Erwartet wird &quot;sensor&quot;: {{&quot;mount&quot;: {{&quot;xyz_m&quot;: [x,y,z], &quot;rpy_rad&quot;: [r,p,y]}}}} wie in einer Aufbaudatei.</translation>
     </message>
     <message>
         <source>the file cannot be opened.</source>
@@ -4560,10 +4346,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Check its name and its permissions.</source>
         <translation>Prüfen Sie Namen und Leserechte.</translation>
-    </message>
-    <message>
-        <source>this is no ordinary file.</source>
-        <translation>das ist keine gewöhnliche Datei.</translation>
     </message>
     <message>
         <source>Give a recording&apos;s file.</source>
@@ -4618,10 +4400,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>diese HDF5-Datei lässt sich nicht öffnen: Sie ist abgeschnitten oder beschädigt.</translation>
     </message>
     <message>
-        <source>Close the file in the recording program before copying it; &quot;h5clear -s FILE&quot; may mend it.</source>
-        <translation>Schließen Sie die Datei im Aufnahmeprogramm, bevor Sie sie kopieren; „h5clear -s DATEI“ kann sie vielleicht retten.</translation>
-    </message>
-    <message>
         <source>{} more</source>
         <translation>{} weitere</translation>
     </message>
@@ -4646,10 +4424,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>unbekannte Dateiart</translation>
     </message>
     <message>
-        <source>the recording does not fit into the memory.</source>
-        <translation>die Aufnahme passt nicht in den Speicher.</translation>
-    </message>
-    <message>
         <source>Split it, or record fewer topics.</source>
         <translation>Teilen Sie sie, oder nehmen Sie weniger Topics auf.</translation>
     </message>
@@ -4660,14 +4434,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Copy it again from where it was recorded.</source>
         <translation>Kopieren Sie sie noch einmal von dort, wo sie aufgenommen wurde.</translation>
-    </message>
-    <message>
-        <source>nothing that Heft can read is in it.</source>
-        <translation>es ist nichts darin, was Heft lesen kann.</translation>
-    </message>
-    <message>
-        <source>Was the file changed meanwhile?</source>
-        <translation>Wurde die Datei inzwischen geändert?</translation>
     </message>
     <message>
         <source>{} has fewer than two complete samples.</source>
@@ -4682,16 +4448,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{:.3f} s (± {:.3f} s; die Bewegung erklärt dann {:.0f} % der Kraft)</translation>
     </message>
     <message>
-        <source>the clocks of {} and {} have nothing in common, and the data do not tell how much one is later than the other.</source>
-        <translation>die Uhren von {} und {} haben nichts gemeinsam, und aus den Daten geht nicht hervor, um wie viel die eine nachgeht.</translation>
-    </message>
-    <message>
         <source>{} and {} do not overlap in time: {:.3f} to {:.3f} s and {:.3f} to {:.3f} s.</source>
         <translation>{} und {} überschneiden sich zeitlich nicht: {:.3f} bis {:.3f} s und {:.3f} bis {:.3f} s.</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; is no column of a recording.</source>
-        <translation>„{}“ ist keine Spalte einer Aufnahme.</translation>
     </message>
     <message>
         <source>&quot;{}&quot; has no {} that Heft can find by name.</source>
@@ -4750,14 +4508,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Wählen Sie mit --use {}=NAME.</translation>
     </message>
     <message>
-        <source>this is no MCAP file.</source>
-        <translation>das ist keine MCAP-Datei.</translation>
-    </message>
-    <message>
-        <source>Its first eight bytes are others.</source>
-        <translation>Ihre ersten acht Bytes sind andere.</translation>
-    </message>
-    <message>
         <source>The definition of {} lacks {}.</source>
         <translation>In der Definition von {} fehlt {}.</translation>
     </message>
@@ -4782,10 +4532,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>diese Datenbank enthält kein ROS-2-Bag ({}).</translation>
     </message>
     <message>
-        <source>Such a bag has the tables topics and messages.</source>
-        <translation>So ein Bag hat die Tabellen topics und messages.</translation>
-    </message>
-    <message>
         <source>this database cannot be opened.</source>
         <translation>diese Datenbank lässt sich nicht öffnen.</translation>
     </message>
@@ -4806,20 +4552,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Das Bag ist bei Byte {} von {} abgeschnitten oder beschädigt; was davor steht, wurde gelesen.</translation>
     </message>
     <message>
-        <source>The recorder was probably killed; &apos;rosbag reindex&apos; mends the bag for other programs.</source>
-        <translation>Die Aufnahme wurde vermutlich hart beendet; „rosbag reindex“ repariert das Bag für andere Programme.</translation>
-    </message>
-    <message>
         <source>{} chunks of the bag are damaged; what could be unpacked was read.</source>
         <translation>{} Blöcke des Bags sind beschädigt; was sich entpacken ließ, wurde gelesen.</translation>
     </message>
     <message>
         <source>this is a ROS bag of an old format.</source>
         <translation>das ist ein ROS-Bag in einem alten Format.</translation>
-    </message>
-    <message>
-        <source>Bring it to format 2.0 with &apos;rosbag fix&apos; first.</source>
-        <translation>Bringen Sie es zuerst mit „rosbag fix“ auf Format 2.0.</translation>
     </message>
     <message>
         <source>no column holds the time.</source>
@@ -4838,16 +4576,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Prüfen Sie den Export.</translation>
     </message>
     <message>
-        <source>the table holds more cells than can be held in memory.</source>
-        <translation>die Tabelle enthält mehr Zellen, als in den Speicher passen.</translation>
-    </message>
-    <message>
         <source>Export fewer columns or a shorter segment.</source>
         <translation>Exportieren Sie weniger Spalten oder ein kürzeres Stück.</translation>
-    </message>
-    <message>
-        <source>the file holds more numbers than can be held in memory.</source>
-        <translation>die Datei enthält mehr Zahlen, als in den Speicher passen.</translation>
     </message>
     <message>
         <source>Record fewer values, or a shorter segment.</source>
@@ -4858,32 +4588,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>keine Zeile der Datei ist ein JSON-Objekt.</translation>
     </message>
     <message>
-        <source>JSON recordings have one object a line.</source>
-        <translation>JSON-Aufnahmen haben ein Objekt je Zeile.</translation>
-    </message>
-    <message>
-        <source>The connection to {}:{} broke; it is tried again.</source>
-        <translation>Die Verbindung zu {}:{} ist abgerissen; sie wird wieder versucht.</translation>
-    </message>
-    <message>
-        <source>{} is connected, but no topic with joint states or a wrench sends.</source>
-        <translation>{} ist verbunden, aber kein Topic mit Gelenkwinkeln oder Kräften sendet.</translation>
-    </message>
-    <message>
-        <source>{} is connected, but its topics send nothing.</source>
-        <translation>{} ist verbunden, aber seine Topics senden nichts.</translation>
-    </message>
-    <message>
         <source>Nothing arrives at {}:{}.</source>
         <translation>An {}:{} kommt nichts an.</translation>
     </message>
     <message>
         <source>{}:{} {}. Check the name, the cable and the firewall.</source>
         <translation>{}:{} {}. Prüfen Sie Namen, Kabel und Firewall.</translation>
-    </message>
-    <message>
-        <source>is no address of this machine</source>
-        <translation>ist keine Adresse dieses Rechners</translation>
     </message>
     <message>
         <source>Port {} of {} cannot be opened; does another program listen there?</source>
@@ -4906,10 +4616,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>http://{}:{}{} antwortet nicht wie erwartet („{}“).</translation>
     </message>
     <message>
-        <source>{} sends nothing. Is RDT enabled on its web page, and does no other program take the stream? It serves one client only.</source>
-        <translation>{} sendet nichts. Ist RDT auf seiner Webseite eingeschaltet, und nimmt kein anderes Programm den Datenstrom? Der Sensor bedient nur eines.</translation>
-    </message>
-    <message>
         <source>{} Its counts per newton can be given instead: rdt:HOST?cpf=N&amp;cpt=N.</source>
         <translation>{} Seine Zählschritte je Newton können stattdessen angegeben werden: rdt:HOST?cpf=N&amp;cpt=N.</translation>
     </message>
@@ -4922,18 +4628,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Sensor nennt seine Zählschritte je Newton nicht; geben Sie sie an: rdt:HOST?cpf=N&amp;cpt=N.</translation>
     </message>
     <message>
-        <source>{} exists; a recording never replaces a file. Choose another name.</source>
-        <translation>{} gibt es schon; eine Aufnahme ersetzt nie eine Datei. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>{} cannot be made: {}.</source>
-        <translation>{} lässt sich nicht anlegen: {}.</translation>
-    </message>
-    <message>
-        <source>{} cannot be written any further: {}. What is there can be read.</source>
-        <translation>{} lässt sich nicht weiterschreiben: {}. Was da ist, ist lesbar.</translation>
-    </message>
-    <message>
         <source>replay of {}</source>
         <translation>Wiedergabe von {}</translation>
     </message>
@@ -4944,10 +4638,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>&quot;{}&quot; in &quot;{}&quot; is not known.</source>
         <translation>„{}“ in „{}“ ist nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>cpf and cpt, the counts per newton and per newton metre, belong together.</source>
-        <translation>cpf und cpt, die Zählschritte je Newton und je Newtonmeter, gehören zusammen.</translation>
     </message>
     <message>
         <source>The virtual arm has seven joints at most.</source>
@@ -4998,10 +4688,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{}: Netze der Art „{}“ sind nicht bekannt. Nehmen Sie .stl, .obj, .ply, .dae oder .glb.</translation>
     </message>
     <message>
-        <source>{}: The mesh cannot be read: it has no PLY header that ends.</source>
-        <translation>{}: Das Netz lässt sich nicht lesen: Ihm fehlt ein vollständiger PLY-Kopf.</translation>
-    </message>
-    <message>
         <source>{}: The mesh cannot be read: {}</source>
         <translation>{}: Das Netz lässt sich nicht lesen: {}</translation>
     </message>
@@ -5028,14 +4714,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The low-pass cutoff cannot be {} Hz; give a frequency above zero.</source>
         <translation>Die Grenze des Tiefpasses kann nicht {} Hz sein; geben Sie eine Frequenz über null an.</translation>
-    </message>
-    <message>
-        <source>The recording has {} rows; at least {} are needed to know how the tool moved.</source>
-        <translation>Die Aufnahme hat {} Zeilen; mindestens {} sind nötig, um zu wissen, wie sich das Werkzeug bewegt hat.</translation>
-    </message>
-    <message>
-        <source>The robot &quot;{}&quot; has {} joints; at most 7 can be followed.</source>
-        <translation>Der Roboter „{}“ hat {} Gelenke; höchstens 7 können verfolgt werden.</translation>
     </message>
     <message>
         <source>must be a list of {} numbers</source>
@@ -5130,10 +4808,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>die Pose hat einen Bestandteil, der keine Zahl ist.</translation>
     </message>
     <message>
-        <source>the pose is not a rotation and a shift.</source>
-        <translation>die Pose ist keine Drehung mit Verschiebung.</translation>
-    </message>
-    <message>
         <source>the mesh needs a file.</source>
         <translation>das Netz braucht eine Datei.</translation>
     </message>
@@ -5152,10 +4826,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>the outer radius of a tube (tube:outer,inner,height) must be larger than the inner one, but {} m and {} m are given.</source>
         <translation>der äußere Radius eines Rohrs (tube:outer,inner,height) muss größer sein als der innere, angegeben sind aber {} m und {} m.</translation>
-    </message>
-    <message>
-        <source>a tube is hollow already: leave out the wall, or take a cylinder.</source>
-        <translation>ein Rohr ist schon hohl: Lassen Sie die Wand weg, oder nehmen Sie einen Zylinder.</translation>
     </message>
     <message>
         <source>the wall must be a positive number of metres, not {}.</source>
@@ -5302,10 +4972,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>„{}“ als {}</translation>
     </message>
     <message>
-        <source>column {} is there twice: also as column {}.</source>
-        <translation>Spalte {} gibt es zweimal: auch als Spalte {}.</translation>
-    </message>
-    <message>
         <source>Rename or delete one of them.</source>
         <translation>Benennen Sie eine davon um, oder löschen Sie sie.</translation>
     </message>
@@ -5334,10 +5000,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>(ohne Namen)</translation>
     </message>
     <message>
-        <source>{} rows of {} columns are more than the {} million numbers that can be held.</source>
-        <translation>{} Zeilen mit {} Spalten sind mehr als die {} Millionen Zahlen, die in den Speicher passen.</translation>
-    </message>
-    <message>
         <source>Split the recording, or keep fewer columns and a lower rate.</source>
         <translation>Teilen Sie die Aufnahme, oder behalten Sie weniger Spalten und eine kleinere Rate.</translation>
     </message>
@@ -5356,10 +5018,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Merge streams of different rates onto one clock, or delete the rows without values.</source>
         <translation>Bringen Sie Datenströme verschiedener Raten auf eine Uhr, oder löschen Sie die Zeilen ohne Werte.</translation>
-    </message>
-    <message>
-        <source>there is no sample.</source>
-        <translation>es gibt keine Messwerte.</translation>
     </message>
     <message>
         <source>this is a device, not a recording.</source>
@@ -5418,10 +5076,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Wenn das Dezimalkommas sind, schreiben Sie Dezimalpunkte, oder trennen Sie die Spalten mit Semikolons und schreiben Sie Punkte.</translation>
     </message>
     <message>
-        <source>A recording starts with a row of column names, then one row a sample.</source>
-        <translation>Eine Aufnahme beginnt mit einer Zeile von Spaltennamen, danach kommt je Messwert eine Zeile.</translation>
-    </message>
-    <message>
         <source>the file is empty.</source>
         <translation>die Datei ist leer.</translation>
     </message>
@@ -5438,10 +5092,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>die Datei enthält nur leere Zeilen.</translation>
     </message>
     <message>
-        <source>the first line is {} MB long and no header.</source>
-        <translation>die erste Zeile ist {} MB lang und keine Kopfzeile.</translation>
-    </message>
-    <message>
         <source>the header has more than {} columns.</source>
         <translation>die Kopfzeile hat mehr als {} Spalten.</translation>
     </message>
@@ -5451,7 +5101,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>a setup file must be a JSON object {{...}}</source>
-        <translation>eine Meta-Datei muss ein JSON-Objekt {{...}} sein</translation>
+        <translation>eine Aufbaudatei muss ein JSON-Objekt {{...}} sein</translation>
     </message>
     <message>
         <source>See the keys in the manual.</source>
@@ -5510,16 +5160,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Geben Sie Radiant an, nicht Grad.</translation>
     </message>
     <message>
-        <source>{:.6g} m/s2 is no gravity on any planet</source>
-        <translation>{:.6g} m/s2 ist auf keinem Planeten die Schwerkraft</translation>
-    </message>
-    <message>
         <source>Give m/s2; on earth about [0, 0, -9.81].</source>
         <translation>Geben Sie m/s2 an; auf der Erde etwa [0, 0, -9.81].</translation>
-    </message>
-    <message>
-        <source>a centre of mass {:.6g} m from the sensor cannot be</source>
-        <translation>ein Schwerpunkt {:.6g} m vom Sensor entfernt kann nicht sein</translation>
     </message>
     <message>
         <source>must be a list, not {}</source>
@@ -5614,20 +5256,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{:.4g} s</translation>
     </message>
     <message>
-        <source>time falls from {} s to {} s.</source>
-        <translation>die Zeit fällt von {} s auf {} s.</translation>
-    </message>
-    <message>
-        <source>Time must rise from row to row: split the file there if two recordings were joined, or sort the rows.</source>
-        <translation>Die Zeit muss von Zeile zu Zeile steigen: Teilen Sie die Datei dort, wenn zwei Aufnahmen aneinandergefügt wurden, oder sortieren Sie die Zeilen.</translation>
-    </message>
-    <message>
         <source>time stays at {} s in all {} rows.</source>
         <translation>die Zeit bleibt bei {} s stehen, in allen {} Zeilen.</translation>
-    </message>
-    <message>
-        <source>the time rises by {:.6g} s from row to row (median).</source>
-        <translation>die Zeit steigt von Zeile zu Zeile um {:.6g} s (Median).</translation>
     </message>
     <message>
         <source>The recording cannot be written: {} has {} rows but time has {}.</source>
@@ -5738,10 +5368,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>in &lt;{}&gt; fehlt der Name eines Attributs.</translation>
     </message>
     <message>
-        <source>attribute &quot;{}&quot; stands twice in &lt;{}&gt;.</source>
-        <translation>Attribut „{}“ steht in &lt;{}&gt; zweimal.</translation>
-    </message>
-    <message>
         <source>&apos;=&apos; is missing after &quot;{}&quot;.</source>
         <translation>nach „{}“ fehlt „=“.</translation>
     </message>
@@ -5802,10 +5428,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>sollte einen Namen und eine Last enthalten</translation>
     </message>
     <message>
-        <source>{} is no session of Heft Studio: its &quot;schema&quot; should be &quot;{}{}&quot;.</source>
-        <translation>{} ist keine Sitzung von Heft Studio: &quot;schema&quot; sollte dort &quot;{}{}&quot; sein.</translation>
-    </message>
-    <message>
         <source>should end in a number</source>
         <translation>sollte mit einer Zahl enden</translation>
     </message>
@@ -5816,10 +5438,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>should end in a number from 1</source>
         <translation>sollte mit einer Zahl ab 1 enden</translation>
-    </message>
-    <message>
-        <source>The corrections of this session are of a diagnosis that this version of Heft does not understand; run the reality check again.</source>
-        <translation>Die Berichtigungen dieser Sitzung stammen aus einer Realitätsprüfung, die diese Heft-Version nicht versteht; führen Sie die Realitätsprüfung noch einmal aus.</translation>
     </message>
     <message>
         <source>a slow wave in time</source>
@@ -5850,20 +5468,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Dreimal in dieselbe Lage zurückkehren: Eine Drift zeigt jedes Mal etwas anderes.</translation>
     </message>
     <message>
-        <source>The difference climbs or sinks slowly over the whole recording and ignores the motion.</source>
-        <translation>Die Abweichung steigt oder sinkt langsam über die ganze Aufnahme und kümmert sich nicht um die Bewegung.</translation>
-    </message>
-    <message>
         <source>Are force and joint data timestamped by the same clock?</source>
         <translation>Bekommen Kraft und Gelenkwinkel ihre Zeit von einer Uhr, gleich an der Quelle?</translation>
-    </message>
-    <message>
-        <source>Shake the tool quickly for ten seconds, two to four times a second.</source>
-        <translation>Das Werkzeug zehn Sekunden lang schnell schütteln, zwei- bis viermal pro Sekunde.</translation>
-    </message>
-    <message>
-        <source>The difference is large where the force changes fast and zero where it rests, with the full height kept.</source>
-        <translation>Die Abweichung ist groß, wo sich die Kraft schnell ändert, und null, wo sie ruht; die Höhe bleibt erhalten.</translation>
     </message>
     <message>
         <source>Is a filter or averaging switched on in the sensor&apos;s amplifier or driver?</source>
@@ -5878,20 +5484,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Verspätet wie bei einer Verzögerung, aber Spitzen sind auch niedriger, und das Rauschen wirkt weich.</translation>
     </message>
     <message>
-        <source>Record the plain joint angles at the full rate, without smoothing.</source>
-        <translation>Die reinen Gelenkwinkel mit voller Rate aufnehmen, ohne Glättung.</translation>
-    </message>
-    <message>
-        <source>Turn the tool slowly through large angles: late readings show then too, late accelerations do not.</source>
-        <translation>Das Werkzeug langsam um große Winkel drehen: Verspätete Messwerte zeigen sich auch dann, verspätete Beschleunigungen nicht.</translation>
-    </message>
-    <message>
         <source>Slow turning fits well; only starts and stops leave a difference.</source>
         <translation>Langsames Drehen passt gut; nur Anfahren und Anhalten lassen eine Abweichung.</translation>
     </message>
     <message>
         <source>Compare the arrows printed on the sensor with the mount in the setup file.</source>
-        <translation>Die Pfeile auf dem Sensor mit der Montage in der Meta-Datei vergleichen.</translation>
+        <translation>Die Pfeile auf dem Sensor mit der Montage in der Aufbaudatei vergleichen.</translation>
     </message>
     <message>
         <source>The weight shows up on the wrong axis of the sensor, always the same one.</source>
@@ -5903,7 +5501,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Put a spirit level on the robot&apos;s base, or state the true gravity in the setup file.</source>
-        <translation>Eine Wasserwaage auf den Robotersockel legen oder die wahre Schwerkraft in die Meta-Datei schreiben.</translation>
+        <translation>Eine Wasserwaage auf den Robotersockel legen oder die wahre Schwerkraft in die Aufbaudatei schreiben.</translation>
     </message>
     <message>
         <source>Record once more with a heavier tool: a tilt grows with the weight, a pull does not.</source>
@@ -5974,16 +5572,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Reibt ein Kabel in einer Klemme, schleift eine Hülle, ist ein Mantel steif?</translation>
     </message>
     <message>
-        <source>The difference jumps to the other side whenever the motion reverses, at any speed.</source>
-        <translation>Die Abweichung springt auf die andere Seite, sobald die Bewegung umkehrt, bei jedem Tempo.</translation>
-    </message>
-    <message>
         <source>Shake the tool by hand and listen: a loose part, a liquid, a hanging hose?</source>
         <translation>Das Werkzeug von Hand schütteln und lauschen: ein loses Teil, eine Flüssigkeit, ein hängender Schlauch?</translation>
-    </message>
-    <message>
-        <source>After each stop the difference swings on for a while, a few times a second.</source>
-        <translation>Nach jedem Halt schwingt die Abweichung eine Weile nach, einige Male pro Sekunde.</translation>
     </message>
     <message>
         <source>Tighten the screws between arm, sensor and tool; look for rubber or thin adapters.</source>
@@ -6051,7 +5641,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Record joint angles at the full rate; check the size of gravity in the setup file.</source>
-        <translation>Gelenkwinkel mit voller Rate aufnehmen; den Betrag der Schwerkraft in der Meta-Datei prüfen.</translation>
+        <translation>Gelenkwinkel mit voller Rate aufnehmen; den Betrag der Schwerkraft in der Aufbaudatei prüfen.</translation>
     </message>
     <message>
         <source>Record once more with stronger smoothing and compare.</source>
@@ -6079,23 +5669,15 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Compare the sensor&apos;s manual with the setup file: axes, signs, gravity.</source>
-        <translation>Das Handbuch des Sensors mit der Meta-Datei vergleichen: Achsen, Vorzeichen, Schwerkraft.</translation>
+        <translation>Das Handbuch des Sensors mit der Aufbaudatei vergleichen: Achsen, Vorzeichen, Schwerkraft.</translation>
     </message>
     <message>
         <source>Not needed: the error is obvious.</source>
         <translation>Keine ist nötig: Der Fehler ist zu groß, um übersehen zu werden.</translation>
     </message>
     <message>
-        <source>Nothing fits: the simulated curves run against the measured ones.</source>
-        <translation>Nichts passt: Die simulierten Kurven laufen den gemessenen entgegen.</translation>
-    </message>
-    <message>
         <source>Check the connection, and record at the sensor&apos;s own rate.</source>
         <translation>Die Verbindung prüfen und mit der Rate des Sensors aufnehmen.</translation>
-    </message>
-    <message>
-        <source>None is needed: the readings show it.</source>
-        <translation>Keine ist nötig: Die Messwerte zeigen es.</translation>
     </message>
     <message>
         <source>The measured curve has flat steps or holes where it should run on.</source>
@@ -6106,24 +5688,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Lassen Sie Sensor oder Roboter die Werte stempeln, nicht einen beschäftigten Rechner.</translation>
     </message>
     <message>
-        <source>None is needed: the time stamps show it.</source>
-        <translation>Keine nötig: Die Zeitstempel zeigen es.</translation>
-    </message>
-    <message>
         <source>Choose a finer measuring range, or a file format with more digits.</source>
         <translation>Wählen Sie einen feineren Messbereich, oder ein Dateiformat mit mehr Stellen.</translation>
     </message>
     <message>
-        <source>The measured curve climbs in stairs where the simulated one is smooth.</source>
-        <translation>Die gemessene Kurve steigt in Stufen, wo die simulierte glatt ist.</translation>
-    </message>
-    <message>
         <source>The sensor&apos;s zero drifts: {} by {} {} per second.</source>
         <translation>Die Null des Sensors wandert: {} um {} {} pro Sekunde.</translation>
-    </message>
-    <message>
-        <source>Orientations are stored the other way round: base in sensor instead of sensor in base.</source>
-        <translation>Die Orientierungen sind umgekehrt gespeichert: Basis im Sensor statt Sensor in der Basis.</translation>
     </message>
     <message>
         <source>{} % of the readings are zero throughout: lost packets.</source>
@@ -6136,10 +5706,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>A cable twists back as the tool turns: {} N m per radian.</source>
         <translation>Ein Kabel dreht zurück, wenn sich das Werkzeug dreht: {} N m pro Radiant.</translation>
-    </message>
-    <message>
-        <source>A cable or hose pulls the tool towards one spot: {} N per metre.</source>
-        <translation>Ein Kabel oder Schlauch zieht das Werkzeug zu einer Stelle hin: {} N pro Meter.</translation>
     </message>
     <message>
         <source>A cable or hose pulls the tool back, by up to {} N per metre.</source>
@@ -6178,10 +5744,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Robotersockel ist um {} Grad gegen die angegebene Schwerkraft geneigt.</translation>
     </message>
     <message>
-        <source>The tool&apos;s mount gives and rings at {} Hz.</source>
-        <translation>Die Montage des Werkzeugs gibt nach und klingt mit {} Hz.</translation>
-    </message>
-    <message>
         <source>At {} s the load became {} g heavier.</source>
         <translation>Bei {} s wurde die Last {} g schwerer.</translation>
     </message>
@@ -6218,12 +5780,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Momentwerte kommen in Stufen von {}.</translation>
     </message>
     <message>
-        <source>Turn gravity_m_s2 round in the setup file.</source>
-        <translation>Kehren Sie gravity_m_s2 in der Meta-Datei um.</translation>
-    </message>
-    <message>
         <source>Correct sensor.mount.rpy_rad in the setup file.</source>
-        <translation>Berichtigen Sie sensor.mount.rpy_rad in der Meta-Datei.</translation>
+        <translation>Berichtigen Sie sensor.mount.rpy_rad in der Aufbaudatei.</translation>
     </message>
     <message>
         <source>force {}</source>
@@ -6236,18 +5794,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>a rhythm of {:.2g} Hz</source>
         <translation>einem Rhythmus von {:.2g} Hz</translation>
-    </message>
-    <message>
-        <source>slow swings, {:.1f} to {:.0f} times a second</source>
-        <translation>langsamem Schwingen, {:.1f}- bis {:.0f}-mal in der Sekunde</translation>
-    </message>
-    <message>
-        <source>The tool was never turned fast enough about {}: turn it to and fro about that axis, faster.</source>
-        <translation>Das Werkzeug wurde nie schnell genug um {} gedreht: Drehen Sie es um diese Achse hin und her, schneller.</translation>
-    </message>
-    <message>
-        <source>{} is no setup file.</source>
-        <translation>{} ist keine Meta-Datei.</translation>
     </message>
     <message>
         <source>where the tool is</source>
@@ -6278,10 +5824,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>der Last am Sensor</translation>
     </message>
     <message>
-        <source>the load&apos;s size</source>
-        <translation>der Größe der Last</translation>
-    </message>
-    <message>
         <source>how fast the load changes</source>
         <translation>dem Wechsel der Last</translation>
     </message>
@@ -6292,10 +5834,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>the direction in which the tool turns</source>
         <translation>der Drehrichtung des Werkzeugs</translation>
-    </message>
-    <message>
-        <source>how fast the turning changes</source>
-        <translation>dem Wechsel des Drehtempos</translation>
     </message>
     <message>
         <source>Give it as the recording itself, or write a CSV of it with heft convert IN OUT.csv.</source>
@@ -6347,7 +5885,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Give the CSV of the recording; its setup file is found beside it.</source>
-        <translation>Öffnen Sie das CSV der Aufnahme; die Meta-Datei daneben wird gefunden.</translation>
+        <translation>Öffnen Sie das CSV der Aufnahme; die Aufbaudatei daneben wird gefunden.</translation>
     </message>
     <message>
         <source>{} needs 1 dimension in metres ({}), but {} are given.</source>
@@ -6362,10 +5900,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} braucht {} Maße in Metern ({}), angegeben sind aber {}.</translation>
     </message>
     <message>
-        <source>{} cannot be written as fast as samples come. What is there can be read.</source>
-        <translation>{} kann nicht so schnell geschrieben werden, wie Messwerte kommen. Was schon da ist, lässt sich lesen.</translation>
-    </message>
-    <message>
         <source>--use wrench={} takes it nevertheless.</source>
         <translation>--use wrench={} nimmt es trotzdem.</translation>
     </message>
@@ -6375,7 +5909,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Set sensor.mount.parent in the setup file to one of: {}.</source>
-        <translation>Setzen Sie sensor.mount.parent in der Meta-Datei auf eines von: {}.</translation>
+        <translation>Setzen Sie sensor.mount.parent in der Aufbaudatei auf eines von: {}.</translation>
     </message>
     <message>
         <source>The sensor&apos;s mount names the link &quot;{}&quot;, which the robot &quot;{}&quot; does not have.</source>
@@ -6398,28 +5932,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Steifigkeit k</translation>
     </message>
     <message>
-        <source>Stiffness against turning k</source>
-        <translation>Steifigkeit gegen Drehen k</translation>
-    </message>
-    <message>
         <source>Drag d</source>
         <translation>Widerstand d</translation>
     </message>
     <message>
-        <source>Drag against turning d</source>
-        <translation>Widerstand gegen Drehen d</translation>
-    </message>
-    <message>
         <source>Friction F</source>
         <translation>Reibung F</translation>
-    </message>
-    <message>
-        <source>Friction against turning M</source>
-        <translation>Reibung gegen Drehen M</translation>
-    </message>
-    <message>
-        <source>Way until it slips s</source>
-        <translation>Weg, bis es rutscht s</translation>
     </message>
     <message>
         <source>Mass m</source>
@@ -6432,10 +5950,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Damping ratio ζ</source>
         <translation>Dämpfungsgrad ζ</translation>
-    </message>
-    <message>
-        <source>At the time t</source>
-        <translation>Zum Zeitpunkt t</translation>
     </message>
     <message>
         <source>Duration</source>
@@ -6498,20 +6012,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Masse mal Abstand entlang {0}, m{0}</translation>
     </message>
     <message>
-        <source>Place from the sensor, {0}</source>
-        <translation>Ort vom Sensor aus, {0}</translation>
-    </message>
-    <message>
         <source>Share along {0}</source>
         <translation>Anteil entlang {0}</translation>
-    </message>
-    <message>
-        <source>Tilted about {0}</source>
-        <translation>Gekippt um {0}</translation>
-    </message>
-    <message>
-        <source>Place it pulls from, {0}</source>
-        <translation>Ort, von dem es zieht, {0}</translation>
     </message>
     <message>
         <source>Size in {}</source>
@@ -6522,28 +6024,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Stufe der Momentwerte</translation>
     </message>
     <message>
-        <source>Turned about {}</source>
-        <translation>Gedreht um {}</translation>
-    </message>
-    <message>
-        <source>Shifted along {}</source>
-        <translation>Verschoben entlang {}</translation>
-    </message>
-    <message>
-        <source>Gain of {} off by</source>
-        <translation>Verstärkung daneben, {}</translation>
-    </message>
-    <message>
         <source>End of the range, {}</source>
         <translation>Ende des Bereichs, {}</translation>
     </message>
     <message>
         <source>{} seen in {}</source>
         <translation>{}, gesehen in {}</translation>
-    </message>
-    <message>
-        <source>Angle of joint {} off by</source>
-        <translation>Winkel daneben, Gelenk {}</translation>
     </message>
     <message>
         <source>Wave {} of {}</source>
@@ -6598,32 +6084,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>so gewählt</translation>
     </message>
     <message>
-        <source>this is no JSON object.</source>
-        <translation>das ist kein JSON-Objekt.</translation>
-    </message>
-    <message>
-        <source>&quot;use&quot; is no object.</source>
-        <translation>„use“ ist kein Objekt.</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; in &quot;use&quot; is no text.</source>
-        <translation>„{}“ in „use“ ist kein Text.</translation>
-    </message>
-    <message>
-        <source>&quot;scale&quot; is no object of numbers.</source>
-        <translation>„scale“ ist kein Objekt aus Zahlen.</translation>
-    </message>
-    <message>
         <source>the scale of {} is {}.</source>
         <translation>der Faktor von {} ist {}.</translation>
-    </message>
-    <message>
-        <source>&quot;offset_s&quot; is no object of numbers.</source>
-        <translation>„offset_s“ ist kein Objekt aus Zahlen.</translation>
-    </message>
-    <message>
-        <source>&quot;join&quot; is no list of files.</source>
-        <translation>„join“ ist keine Liste von Dateien.</translation>
     </message>
     <message>
         <source>&quot;pose_of&quot; is neither sensor nor flange.</source>
@@ -6698,14 +6160,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die gemeldeten Geschwindigkeiten rauschen um {} % der Geschwindigkeit der Bewegung; Heft kann stattdessen die Lagen nehmen.</translation>
     </message>
     <message>
-        <source>Missing near the end of the range, {}</source>
-        <translation>Fehlt nahe dem Ende des Messbereichs, {}</translation>
-    </message>
-    <message>
-        <source>Of the range, how much that is, {}</source>
-        <translation>Welcher Teil des Bereichs das ist, {}</translation>
-    </message>
-    <message>
         <source>From {} to {} s the load became {} g heavier.</source>
         <translation>Von {} bis {} s wurde die Last {} g schwerer.</translation>
     </message>
@@ -6718,36 +6172,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Geschwindigkeit, unter der es haftet, v</translation>
     </message>
     <message>
-        <source>Share that is remembered</source>
-        <translation>Gemerkter Anteil</translation>
-    </message>
-    <message>
-        <source>Forgotten after, of the load&apos;s range</source>
-        <translation>Vergessen nach, vom Bereich der Last</translation>
-    </message>
-    <message>
-        <source>Gain of {}, more to one side</source>
-        <translation>Verstärkung von {}, zu einer Seite mehr</translation>
-    </message>
-    <message>
-        <source>With these causes taken out the payload would be a quarter lighter or heavier, while something unknown is left; so it is left as it was.</source>
-        <translation>Ohne diese Ursachen wäre die Last um ein Viertel leichter oder schwerer, während etwas Unbekanntes bleibt; deshalb bleibt sie, wie sie war.</translation>
-    </message>
-    <message>
         <source>The readings hum at {:.0f} Hz, by {:.2g} N and {:.2g} N m.</source>
         <translation>Die Messwerte brummen mit {:.0f} Hz, um {:.2g} N und {:.2g} N m.</translation>
     </message>
     <message>
         <source>That is the mains: check the sensor&apos;s shield and earth.</source>
         <translation>Das ist das Stromnetz: Prüfen Sie Schirm und Erdung des Sensors.</translation>
-    </message>
-    <message>
-        <source>Switch off what runs nearby, such as a fan or a motor, and record once more.</source>
-        <translation>Schalten Sie ab, was in der Nähe läuft, etwa einen Lüfter oder Motor, und nehmen Sie noch einmal auf.</translation>
-    </message>
-    <message>
-        <source>The motion was smoothed before it was recorded, by {} ms to either side, so that what is fast in it is too small.</source>
-        <translation>Die Bewegung wurde vor der Aufnahme geglättet, um {} ms zu beiden Seiten, sodass Schnelles darin zu klein ist.</translation>
     </message>
     <message>
         <source>a rhythm of {:.0f} Hz</source>
@@ -6766,28 +6196,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Länge, solange schlaff, L</translation>
     </message>
     <message>
-        <source>Force of the swing at the start along {0}</source>
-        <translation>Kraft der Schwingung am Anfang längs {0}</translation>
-    </message>
-    <message>
-        <source>The same a quarter of a swing later along {0}</source>
-        <translation>Dieselbe eine Viertelschwingung später längs {0}</translation>
-    </message>
-    <message>
-        <source>A cable or hose, fixed to one spot and {} mm long when slack, pulls the tool back: {} N per metre.</source>
-        <translation>Ein Kabel oder Schlauch, an einer Stelle befestigt und schlaff {} mm lang, zieht das Werkzeug zurück: {} N je Meter.</translation>
-    </message>
-    <message>
         <source>At {} s the sensor&apos;s zero jumped by {} N m.</source>
         <translation>Bei {} s sprang die Null des Sensors um {} N m.</translation>
-    </message>
-    <message>
-        <source>Gain of all forces off by</source>
-        <translation>Verstärkung aller Kräfte daneben um</translation>
-    </message>
-    <message>
-        <source>Clocks run apart by</source>
-        <translation>Uhren laufen auseinander um</translation>
     </message>
     <message>
         <source>a shaking of {:.0f} to {:.0f} Hz</source>
@@ -6806,10 +6216,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} Messwerte ({:.2g} %) enthielten Ausreißer bei Kraft oder Moment und wurden durch das ersetzt, was daneben liegt.</translation>
     </message>
     <message>
-        <source>Height of the loop, of the load&apos;s range</source>
-        <translation>Höhe der Schleife, vom Bereich der Last</translation>
-    </message>
-    <message>
         <source>Friction along {0}</source>
         <translation>Reibung längs {0}</translation>
     </message>
@@ -6822,18 +6228,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Zeitkonstante des Aufwärmens T</translation>
     </message>
     <message>
-        <source>Gain of {} changes by</source>
-        <translation>Verstärkung ändert sich, {}</translation>
-    </message>
-    <message>
-        <source>Angle of joint {} off by, times its sine</source>
-        <translation>Winkel daneben, Gelenk {}, mal seinem Sinus</translation>
-    </message>
-    <message>
-        <source>Angle of joint {} off by, times its cosine</source>
-        <translation>Winkel daneben, Gelenk {}, mal seinem Kosinus</translation>
-    </message>
-    <message>
         <source>Something knocks {} times, first at {:.1f} s.</source>
         <translation>Etwas klopft {}-mal, zuerst bei {:.1f} s.</translation>
     </message>
@@ -6844,10 +6238,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The gain of {} changes by {:+.1f} % during the recording, as when a sensor warms up.</source>
         <translation>Die Verstärkung von {} ändert sich während der Aufnahme um {:+.1f} %, wie wenn ein Sensor warm wird.</translation>
-    </message>
-    <message>
-        <source>what the motor of joint {:.0f} does</source>
-        <translation>dem, was der Motor von Gelenk {:.0f} tut</translation>
     </message>
     <message>
         <source>how hard the joints speed up and slow down</source>
@@ -6882,24 +6272,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>der Last, während das Werkzeug stillstand</translation>
     </message>
     <message>
-        <source>{} reads exactly {:.4g} {} wherever it would be less than {:.2g} away from that: {:.0f} % of its readings.</source>
-        <translation>{} zeigt genau {:.4g} {}, wo immer es weniger als {:.2g} davon entfernt wäre: {:.0f} % der Messwerte.</translation>
-    </message>
-    <message>
-        <source>Switch off the threshold or dead band in the sensor&apos;s driver and record once more.</source>
-        <translation>Schalten Sie die Schwelle (Totzone) im Treiber des Sensors ab und nehmen Sie noch einmal auf.</translation>
-    </message>
-    <message>
         <source>readings that stick at one value</source>
         <translation>Messwerten, die an einem Wert hängen bleiben</translation>
-    </message>
-    <message>
-        <source>{} stays the same in nearly all rows: it was not measured, or a threshold in the sensor&apos;s driver hides what is small. Mend that and record once more.</source>
-        <translation>{} bleibt in fast allen Zeilen gleich: Der Kanal wurde nicht gemessen, oder eine Schwelle im Treiber des Sensors verbirgt, was klein ist. Beheben Sie das und nehmen Sie noch einmal auf.</translation>
-    </message>
-    <message>
-        <source>Gain of all channels changes by</source>
-        <translation>Verstärkung aller Kanäle ändert sich um</translation>
     </message>
     <message>
         <source>Wave {} of the course</source>
@@ -6914,32 +6288,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>einem einzelnen Kanal des Sensors</translation>
     </message>
     <message>
-        <source>Drag by the square of the speed d</source>
-        <translation>Widerstand nach dem Quadrat der Geschwindigkeit d</translation>
-    </message>
-    <message>
-        <source>Friction more while slow F</source>
-        <translation>Mehr Reibung, solange langsam, F</translation>
-    </message>
-    <message>
-        <source>Speed below which it rubs more v</source>
-        <translation>Geschwindigkeit, unter der es mehr reibt, v</translation>
-    </message>
-    <message>
-        <source>Grows stiffer as it segments by h</source>
-        <translation>Wird beim Dehnen steifer um h</translation>
-    </message>
-    <message>
         <source>Drag along the tool&apos;s {0}, d{0}</source>
         <translation>Widerstand entlang {0} des Werkzeugs, d{0}</translation>
-    </message>
-    <message>
-        <source>A cable or hose, fixed to one spot, pulls the tool back: {} N per metre where it begins to segment, and more the further it does.</source>
-        <translation>Ein Kabel oder Schlauch, an einer Stelle befestigt, zieht das Werkzeug zurück: {} N je Meter, wo es sich zu dehnen beginnt, und mehr, je weiter es sich dehnt.</translation>
-    </message>
-    <message>
-        <source>Tilts further about {0}</source>
-        <translation>Neigt sich weiter um {0}</translation>
     </message>
     <message>
         <source>The robot&apos;s base tilts by {} degrees during the recording.</source>
@@ -6968,14 +6318,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The readings shake for a moment {} times, first at {:.1f} s.</source>
         <translation>Die Messwerte zittern {}-mal für einen Augenblick, zuerst bei {:.1f} s.</translation>
-    </message>
-    <message>
-        <source>Something, such as a bent hose, pushes the tool away from one spot: {} N per metre.</source>
-        <translation>Etwas, etwa ein gebogener Schlauch, drückt das Werkzeug von einer Stelle weg: {} N je Meter.</translation>
-    </message>
-    <message>
-        <source>the load&apos;s size, on the forces alone</source>
-        <translation>der Größe der Last, bei den Kräften allein</translation>
     </message>
     <message>
         <source>time</source>
@@ -7034,20 +6376,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} g mehr trug das Werkzeug {}-mal, zuerst von {} bis {} s.</translation>
     </message>
     <message>
-        <source>The reported velocities are means over {} ms, so that what is fast in them is too small; Heft can use the positions instead.</source>
-        <translation>Die gemeldeten Geschwindigkeiten sind Mittelwerte über {} ms, sodass Schnelles darin zu klein ist; Heft kann stattdessen die Positionen nehmen.</translation>
-    </message>
-    <message>
-        <source>{} is no result of heft diagnose; write one with heft diagnose REC --json FILE.</source>
-        <translation>{} ist kein Ergebnis von heft diagnose; schreiben Sie eines mit heft diagnose REC --json DATEI.</translation>
-    </message>
-    <message>
         <source>Correct how the sensor is mounted where the recorded poses are worked out: the recording states them itself, and the setup file&apos;s mount is not used.</source>
-        <translation>Berichtigen Sie den Einbau des Sensors dort, wo die aufgezeichneten Lagen berechnet werden: Die Aufnahme nennt sie selbst, der Einbau in der Metadatei wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>Handed out again</source>
-        <translation>Erneut ausgegeben</translation>
+        <translation>Berichtigen Sie den Einbau des Sensors dort, wo die aufgezeichneten Lagen berechnet werden: Die Aufnahme nennt sie selbst, der Einbau in der Aufbaudatei wird nicht benutzt.</translation>
     </message>
     <message>
         <source>Time from corner to corner</source>
@@ -7062,20 +6392,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Stufe der Positionen</translation>
     </message>
     <message>
-        <source>Mean over T</source>
-        <translation>Mittel über T</translation>
-    </message>
-    <message>
         <source>readings of another moment</source>
         <translation>Messwerten eines anderen Augenblicks</translation>
-    </message>
-    <message>
-        <source>{} segments, {:.1f} s in all, were left out: something acts there, too faint to tell a touch from anything else.</source>
-        <translation>{} Abschnitte, zusammen {:.1f} s, blieben außen vor: Dort wirkt etwas, das zu schwach ist, um eine Berührung von etwas anderem zu unterscheiden.</translation>
-    </message>
-    <message>
-        <source>Record the motion once more and keep clear of everything.</source>
-        <translation>Nehmen Sie die Bewegung noch einmal auf und halten Sie dabei von allem Abstand.</translation>
     </message>
     <message>
         <source>a few moments alone</source>
@@ -7102,40 +6420,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Drehmomenten ohne eine Kraft</translation>
     </message>
     <message>
-        <source>A segment of {:.1f} s was left out: something acts there, too faint to tell a touch from anything else.</source>
-        <translation>Ein Abschnitt von {:.1f} s blieb außen vor: Dort wirkt etwas, das zu schwach ist, um eine Berührung von etwas anderem zu unterscheiden.</translation>
-    </message>
-    <message>
-        <source>Struck from outside, times</source>
-        <translation>Von außen angestoßen, Male</translation>
-    </message>
-    <message>
         <source>Check the sensor&apos;s cable and plug; mark the moment as &quot;ignore&quot;.</source>
         <translation>Prüfen Sie Kabel und Stecker des Sensors; markieren Sie den Moment als „ignoriert“.</translation>
     </message>
     <message>
-        <source>Something struck the tool or the ground, first at {:.1f} s: the motion alone sets nothing ringing so hard.</source>
-        <translation>Etwas hat das Werkzeug oder den Boden angestoßen, zuerst bei {:.1f} s: Die Bewegung allein bringt nichts so stark zum Schwingen.</translation>
-    </message>
-    <message>
-        <source>Find out what knocks, and record once more without it.</source>
-        <translation>Finden Sie heraus, was da anstößt, und nehmen Sie ohne das noch einmal auf.</translation>
-    </message>
-    <message>
         <source>blows from outside</source>
         <translation>Stößen von außen</translation>
-    </message>
-    <message>
-        <source>Something that carries the tool gives and rings at {} Hz when it is struck: its mount, or the robot&apos;s pedestal.</source>
-        <translation>Etwas, das das Werkzeug trägt, gibt nach und schwingt mit {} Hz, wenn es angestoßen wird: seine Befestigung oder das, worauf der Roboter steht.</translation>
-    </message>
-    <message>
-        <source>Tap the tool, then the robot&apos;s pedestal: which of them rings at this pitch? Tighten its screws.</source>
-        <translation>Klopfen Sie an das Werkzeug, dann an das, worauf der Roboter steht: Was davon klingt in dieser Tonhöhe? Ziehen Sie dort die Schrauben nach.</translation>
-    </message>
-    <message>
-        <source>From {:.1f} to {:.1f} s the zero or the load was another one once more; that segment was left out.</source>
-        <translation>Von {:.1f} bis {:.1f} s war der Nullpunkt oder die Last noch einmal anders; dieser Abschnitt blieb außen vor.</translation>
     </message>
     <message>
         <source>{} is frozen from {:.1f} to {:.1f} s, while the others go on.</source>
@@ -7162,10 +6452,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>dem, was ein Kanal selbst misst</translation>
     </message>
     <message>
-        <source>The positions were smoothed before they were recorded, by {} ms to either side, so that what is fast in them is too small.</source>
-        <translation>Die Positionen wurden vor der Aufzeichnung um {} ms zu beiden Seiten geglättet, sodass Schnelles in ihnen zu klein ist.</translation>
-    </message>
-    <message>
         <source>Nothing was found that could be checked on {}.</source>
         <translation>Es wurde nichts gefunden, das sich an {} prüfen ließe.</translation>
     </message>
@@ -7190,48 +6476,20 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Werden es beim nächsten Mal mehr: nachsehen, was klopft oder ruckt, und den Stecker des Sensors prüfen.</translation>
     </message>
     <message>
-        <source>Hardly any reading of {} differs from one value: that shows nothing of the payload, so it is not used.</source>
-        <translation>Kaum ein Messwert von {} verlässt einen Wert: das sagt nichts über die Last und wird nicht verwendet.</translation>
-    </message>
-    <message>
         <source>Check that it was logged, or choose a finer measuring range of the sensor.</source>
         <translation>Prüfen, ob der Kanal aufgezeichnet wurde, oder einen feineren Messbereich des Sensors wählen.</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; would explain some of the misfit, but it is so small that our own smoothing of the motion may leave as much. It is not named.</source>
-        <translation>„{}“ würde einen Teil der Abweichung erklären, ist aber so klein, dass unsere eigene Glättung der Bewegung ebenso viel übrig lassen kann. Es wird nicht genannt.</translation>
-    </message>
-    <message>
-        <source>Nothing need be done: the payload allows for it.</source>
-        <translation>Es ist nichts zu tun: die Last berücksichtigt es.</translation>
-    </message>
-    <message>
-        <source>The motion was smoothed to {:.0f} Hz, since above that its accelerations are noisier than the sensor; what is faster cannot be judged.</source>
-        <translation>Die Bewegung wurde auf {:.0f} Hz geglättet, weil ihre Beschleunigungen darüber stärker rauschen als der Sensor; was schneller ist, lässt sich nicht beurteilen.</translation>
     </message>
     <message>
         <source>Record angles with more digits and at a higher rate, if the robot has them.</source>
         <translation>Winkel mit mehr Stellen und höherer Rate aufzeichnen, falls der Roboter sie liefert.</translation>
     </message>
     <message>
-        <source>It acts straight up: does the robot or the sensor&apos;s driver take a tool&apos;s weight off already? If not: is there a balancer or a hose that carries a part of it?</source>
-        <translation>Es zieht genau nach oben: Zieht der Roboter oder der Treiber des Sensors das Gewicht eines Werkzeugs schon ab? Wenn nicht: Trägt ein Balancer oder ein Schlauch einen Teil davon?</translation>
-    </message>
-    <message>
         <source>If so, write {} into the setup file.</source>
-        <translation>Wenn ja, schreiben Sie {} in die Meta-Datei.</translation>
+        <translation>Wenn ja, schreiben Sie {} in die Aufbaudatei.</translation>
     </message>
     <message>
         <source>the map file scales {} by {}, and {} is stated, too.</source>
         <translation>die Zuordnungsdatei skaliert {} mit {}, und {} ist ebenfalls angegeben.</translation>
-    </message>
-    <message>
-        <source>State one of them.</source>
-        <translation>Geben Sie nur eines davon an.</translation>
-    </message>
-    <message>
-        <source>&quot;sensor&quot; is no object.</source>
-        <translation>„sensor“ ist kein Objekt.</translation>
     </message>
     <message>
         <source>The wrench is stated in the base&apos;s axes or about its origin, and the samples do not tell where the sensor is.</source>
@@ -7254,16 +6512,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>es gibt {} Gelenke, der Roboter „{}“ hat {}.</translation>
     </message>
     <message>
-        <source>vx, vy, vz, wx, wy, wz are left aside: the pose is the base&apos;s in the sensor, and which point and axes the velocities belong to is not stated.</source>
-        <translation>vx, vy, vz, wx, wy, wz bleiben unbenutzt: Die Pose ist die des Sockels im Sensor, und zu welchem Punkt und welchen Achsen die Geschwindigkeiten gehören, ist nicht gesagt.</translation>
-    </message>
-    <message>
         <source>column &quot;{}&quot; is in another unit than the one stated, {}.</source>
         <translation>die Spalte „{}“ hat eine andere Einheit als die angegebene, {}.</translation>
     </message>
     <message>
         <source>Convert it to {} and name it {}, or state the unit of all such columns in the setup file.</source>
-        <translation>Rechnen Sie sie in {} um und nennen Sie sie {}, oder geben Sie die Einheit aller solchen Spalten in der Meta-Datei an.</translation>
+        <translation>Rechnen Sie sie in {} um und nennen Sie sie {}, oder geben Sie die Einheit aller solchen Spalten in der Aufbaudatei an.</translation>
     </message>
     <message>
         <source>{}, or a number above zero ({} in one of it)</source>
@@ -7290,28 +6544,24 @@ Bitte prüfen Sie den Namen.</translation>
         <translation> und </translation>
     </message>
     <message>
-        <source>Angles that wrap around: whole turns were taken out of {}.</source>
-        <translation>Winkel, die umspringen: Ganze Umdrehungen wurden herausgenommen aus {}.</translation>
-    </message>
-    <message>
         <source>must be {}, not {}.</source>
         <translation>muss {} sein, nicht {}.</translation>
     </message>
     <message>
         <source>The centre of mass would be {:.2f} m from the sensor. If the tool is not that long, force and torque are in other units than the setup file says.</source>
-        <translation>Der Schwerpunkt läge {:.2f} m vom Sensor entfernt. Ist das Werkzeug nicht so lang, haben Kraft und Drehmoment andere Einheiten, als die Meta-Datei sagt.</translation>
+        <translation>Der Schwerpunkt läge {:.2f} m vom Sensor entfernt. Ist das Werkzeug nicht so lang, haben Kraft und Drehmoment andere Einheiten, als die Aufbaudatei sagt.</translation>
     </message>
     <message>
         <source>Check force_unit and torque_unit in the setup file.</source>
-        <translation>Prüfen Sie force_unit und torque_unit in der Meta-Datei.</translation>
+        <translation>Prüfen Sie force_unit und torque_unit in der Aufbaudatei.</translation>
     </message>
     <message>
         <source>A load of {:.0f} kg is more than this arm carries: the force&apos;s unit is probably not what the setup file says.</source>
-        <translation>Eine Last von {:.0f} kg trägt dieser Arm nicht: Die Einheit der Kraft ist wohl nicht die der Meta-Datei.</translation>
+        <translation>Eine Last von {:.0f} kg trägt dieser Arm nicht: Die Einheit der Kraft ist wohl nicht die der Aufbaudatei.</translation>
     </message>
     <message>
         <source>State force_unit in the setup file.</source>
-        <translation>Geben Sie force_unit in der Meta-Datei an.</translation>
+        <translation>Geben Sie force_unit in der Aufbaudatei an.</translation>
     </message>
     <message>
         <source>The centre of mass lies {:.0f} mm behind the sensor, in the arm. Standing poses cannot distinguish that from a torque with the opposite sign, or one taken about another point.</source>
@@ -7407,7 +6657,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>The sensor is mounted {:.0f} degrees away from where the setup file has it.</source>
-        <translation>Der Sensor ist um {:.0f} Grad anders befestigt, als die Meta-Datei sagt.</translation>
+        <translation>Der Sensor ist um {:.0f} Grad anders befestigt, als die Aufbaudatei sagt.</translation>
     </message>
     <message>
         <source>Gravity points the other way in the robot&apos;s base: it hangs from the ceiling, or stands upright.</source>
@@ -7415,7 +6665,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Gravity points {:.0f} degrees away from what the setup file says: the base is mounted differently.</source>
-        <translation>Die Schwerkraft zeigt um {:.0f} Grad anders, als die Meta-Datei sagt: Die Basis ist anders befestigt.</translation>
+        <translation>Die Schwerkraft zeigt um {:.0f} Grad anders, als die Aufbaudatei sagt: Die Basis ist anders befestigt.</translation>
     </message>
     <message>
         <source>The poses are those of the base in the sensor&apos;s frame.</source>
@@ -7535,27 +6785,19 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Estimate with --conventions suggested, or write {} into the setup file.</source>
-        <translation>Schätzen Sie mit --conventions suggested, oder schreiben Sie {} in die Meta-Datei.</translation>
+        <translation>Schätzen Sie mit --conventions suggested, oder schreiben Sie {} in die Aufbaudatei.</translation>
     </message>
     <message>
         <source>To keep that, write {} into the setup file.</source>
-        <translation>Um dabei zu bleiben, schreiben Sie {} in die Meta-Datei.</translation>
+        <translation>Um dabei zu bleiben, schreiben Sie {} in die Aufbaudatei.</translation>
     </message>
     <message>
         <source>Recording {}:</source>
         <translation>Aufnahme {}:</translation>
     </message>
     <message>
-        <source>Recording {} deserves little trust, and with it the numbers from all of them.</source>
-        <translation>Aufnahme {} verdient wenig Vertrauen, und mit ihr die Zahlen aus allen.</translation>
-    </message>
-    <message>
         <source>Look at its findings, or leave it out.</source>
         <translation>Sehen Sie sich ihre Befunde an, oder lassen Sie sie weg.</translation>
-    </message>
-    <message>
-        <source>Give its shape, or record a motion that turns the tool faster.</source>
-        <translation>Geben Sie seine Form an, oder nehmen Sie eine Bewegung auf, die das Werkzeug schneller dreht.</translation>
     </message>
     <message>
         <source>The weight cannot be determined from these readings as they are interpreted. {}</source>
@@ -7564,14 +6806,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>As stated, the tool would weigh {:.2f} kg.</source>
         <translation>Wie angegeben würde das Werkzeug {:.2f} kg wiegen.</translation>
-    </message>
-    <message>
-        <source>Read so, the model misses {:.0f} % of what the motion makes of the force and {:.0f} % of the torque; as stated it misses {:.0f} % and {:.0f} %.</source>
-        <translation>So gelesen verfehlt das Modell {:.0f} % dessen, was die Bewegung aus der Kraft macht, und {:.0f} % beim Moment; wie angegeben verfehlt es {:.0f} % und {:.0f} %.</translation>
-    </message>
-    <message>
-        <source>As well fits: {}</source>
-        <translation>Ebenso gut passt: {}</translation>
     </message>
     <message>
         <source>The fit gives a negative mass.</source>
@@ -7594,36 +6828,16 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Wert der Masse liegt außerhalb seines eigenen Bereichs.</translation>
     </message>
     <message>
-        <source>On parts that were not used for fitting, a rigid tool misses {:.0f} % of what the motion makes of the force and {:.0f} % of the torque.</source>
-        <translation>Auf Teilen, an die nicht angepasst wurde, verfehlt ein starres Werkzeug {:.0f} % dessen, was die Bewegung aus der Kraft macht, und {:.0f} % beim Moment.</translation>
-    </message>
-    <message>
         <source>Look for contact, a cable, or a sensor that was zeroed during the recording; &apos;heft diagnose&apos; names the cause.</source>
         <translation>Suchen Sie nach Berührung, einem Kabel oder einem Sensor, der während der Aufnahme genullt wurde; „heft diagnose“ nennt die Ursache.</translation>
-    </message>
-    <message>
-        <source>The readings were understood otherwise than stated.</source>
-        <translation>Die Messwerte wurden anders verstanden als angegeben.</translation>
     </message>
     <message>
         <source>This recording fits the stated conventions and others equally well.</source>
         <translation>Diese Aufnahme kann die angegebenen Konventionen nicht von anderen unterscheiden.</translation>
     </message>
     <message>
-        <source>The numbers in {} cannot be trusted, so no payload is written from it: see its findings first.</source>
-        <translation>{} sagt, dass seinen Zahlen nicht zu trauen ist; deshalb wird daraus keine Last geschrieben: Sehen Sie sich zuerst die Befunde an.</translation>
-    </message>
-    <message>
         <source>Recording {} was left out:</source>
         <translation>Aufnahme {} wurde weggelassen:</translation>
-    </message>
-    <message>
-        <source>The estimate&apos;s own findings say that its numbers cannot be trusted.</source>
-        <translation>Die Schätzung selbst sagt, dass ihren Zahlen nicht zu trauen ist.</translation>
-    </message>
-    <message>
-        <source>See its findings before the robot relies on them.</source>
-        <translation>Sehen Sie sich ihre Befunde an, bevor der Roboter sich darauf verlässt.</translation>
     </message>
     <message>
         <source>Look for causes: a turned sensor, a tilted base and a joint&apos;s zero look alike.</source>
@@ -7632,10 +6846,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Look for causes: a gain of force or torque, and a sensor beside its place, look like this.</source>
         <translation>Suchen Sie nach Ursachen: Ein Verstärkungsfehler von Kraft oder Drehmoment und ein Sensor neben seinem Platz sehen so aus.</translation>
-    </message>
-    <message>
-        <source>The evidence is weak: nearly as well fits another reading. {}</source>
-        <translation>Der Beleg ist schwach: Fast ebenso gut passt eine andere Lesart. {}</translation>
     </message>
     <message>
         <source>Record more poses, tilted to all sides.</source>
@@ -7662,10 +6872,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Ihr Schwerpunkt liegt {:.1f} mm neben dem geschätzten.</translation>
     </message>
     <message>
-        <source>It was set anew during the recording; this is what held longest.</source>
-        <translation>Während der Aufnahme wurde er neu eingestellt; dies galt am längsten.</translation>
-    </message>
-    <message>
         <source>The controller&apos;s values include what sits between flange and sensor, the estimate does not: &apos;heft export --add&apos; adds it.</source>
         <translation>Die Werte der Steuerung enthalten, was zwischen Flansch und Sensor sitzt, die Schätzung nicht: „heft export --add“ fügt es hinzu.</translation>
     </message>
@@ -7676,10 +6882,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The sensor&apos;s frame is called ft_sensor.</source>
         <translation>Das Koordinatensystem des Sensors heißt in der Datei ft_sensor.</translation>
-    </message>
-    <message>
-        <source>Write the name that it has on your robot.</source>
-        <translation>Schreiben Sie den Namen hin, den es an Ihrem Roboter hat.</translation>
     </message>
     <message>
         <source>A payload without an estimate has no bias; zeros are written.</source>
@@ -7718,20 +6920,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Prüfen Sie, ob seine Achsen die des Flanschs sind.</translation>
     </message>
     <message>
-        <source>The link &quot;{}&quot; weighed {} kg in the URDF; the payload replaces that.</source>
-        <translation>Das Glied „{}“ wog in der URDF {} kg; die Last tritt an diese Stelle.</translation>
-    </message>
-    <message>
         <source>If that was the arm&apos;s own mass, put the payload on a link of its own.</source>
         <translation>War das die Masse des Arms selbst, geben Sie der Last ein eigenes Glied.</translation>
-    </message>
-    <message>
-        <source>{}: several publishers send on this topic ({}); the arm&apos;s joints are taken.</source>
-        <translation>{}: Auf diesem Topic senden mehrere ({}); genommen werden die Gelenke des Arms.</translation>
-    </message>
-    <message>
-        <source>The velocities of {} are no numbers; they were set aside and the joint angles differentiated.</source>
-        <translation>Die Geschwindigkeiten von {} sind keine Zahlen; sie wurden weggelassen und die Gelenkwinkel abgeleitet.</translation>
     </message>
     <message>
         <source>the objects</source>
@@ -7754,10 +6944,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Objekte haben weder Gelenkwinkel oder eine Pose noch fx, fy, fz, tx, ty, tz.</translation>
     </message>
     <message>
-        <source>{}:{} does not answer as RTDE does. Is it a controller of Universal Robots, and is RTDE enabled in its security settings?</source>
-        <translation>{}:{} antwortet nicht wie RTDE. Ist es eine Steuerung von Universal Robots, und ist RTDE in ihren Sicherheitseinstellungen erlaubt?</translation>
-    </message>
-    <message>
         <source>{}:{} says: {}</source>
         <translation>{}:{} meldet: {}</translation>
     </message>
@@ -7778,10 +6964,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{}:{} beginnt nicht zu senden.</translation>
     </message>
     <message>
-        <source>This controller does not send ft_raw_wrench (e-Series from 5.9 on do), and from actual_TCP_force it has taken the payload already: the wrench must come from a sensor of its own.</source>
-        <translation>Diese Steuerung sendet ft_raw_wrench nicht (e-Series ab 5.9 tun das), und aus actual_TCP_force hat sie die Last schon herausgerechnet: Kraft und Drehmoment müssen von einem eigenen Sensor kommen.</translation>
-    </message>
-    <message>
         <source>Neither joint angles, a pose nor a wrench arrived: motion and wrench are both needed.</source>
         <translation>Es kamen weder Gelenkwinkel noch eine Pose noch Kräfte an: Bewegung und Kräfte werden beide gebraucht.</translation>
     </message>
@@ -7792,10 +6974,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Joint angles or poses arrive, but no wrench: add the sensor as a second source, such as rdt:HOST.</source>
         <translation>Gelenkwinkel oder Posen kommen an, aber keine Kräfte: Nenn den Sensor als zweite Quelle, etwa rdt:HOST.</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; is no live source. Sources are rtde:HOST[:PORT], rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:FILE and virtual:SEED.</source>
-        <translation>„{}“ ist keine Live-Quelle. Quellen sind rtde:HOST[:PORT], rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:DATEI und virtual:SEED.</translation>
     </message>
     <message>
         <source>&quot;{}&quot; names no file.</source>
@@ -7814,36 +6992,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Lade den Workspace, der das Paket enthält, oder gib den Pfad der URDF an.</translation>
     </message>
     <message>
-        <source>&quot;{}&quot; is no robot that Heft knows.</source>
-        <translation>„{}“ ist kein Roboter, den Heft kennt.</translation>
-    </message>
-    <message>
-        <source>{} by {:.2g} N (the sensor&apos;s own scatter is {:.2g} N)</source>
-        <translation>{} um {:.2g} N (der Sensor selbst streut um {:.2g} N)</translation>
-    </message>
-    <message>
-        <source>{} by {:.2g} N m (the sensor&apos;s own scatter is {:.2g} N m)</source>
-        <translation>{} um {:.2g} N m (der Sensor selbst streut um {:.2g} N m)</translation>
-    </message>
-    <message>
-        <source>On segments that were not used for fitting, the model misses {}: something besides a rigid tool is at work (contact, drift, delay, a cable, a poorly calibrated sensor).</source>
-        <translation>Auf Strecken, die nicht zur Anpassung dienten, verfehlt das Modell {}: Etwas anderes als ein starres Werkzeug wirkt mit (Berührung, Drift, Verzögerung, ein Kabel, ein schlecht kalibrierter Sensor).</translation>
-    </message>
-    <message>
-        <source>More than half of the readings of {} are cut off at the end of the sensor&apos;s range, so it is not used.</source>
-        <translation>Mehr als die Hälfte der Messwerte von {} ist am Ende des Messbereichs abgeschnitten; der Kanal wird deshalb nicht verwendet.</translation>
-    </message>
-    <message>
         <source>Choose a larger measuring range of the sensor.</source>
         <translation>Wählen Sie einen größeren Messbereich des Sensors.</translation>
     </message>
     <message>
         <source>The recorded motion is noisy; it was smoothed to {:.0f} Hz, and the wrench with it.</source>
         <translation>Die aufgezeichnete Bewegung rauscht; sie wurde auf {:.0f} Hz geglättet, Kraft und Moment ebenso.</translation>
-    </message>
-    <message>
-        <source>The samples&apos; time stamps jitter by {:.2g} ms at steps of {:.2g} ms: accelerations are not to be had from such a motion.</source>
-        <translation>Die Zeitstempel der Messwerte schwanken um {:.2g} ms bei Schritten von {:.2g} ms: Aus einer solchen Bewegung lassen sich keine Beschleunigungen gewinnen.</translation>
     </message>
     <message>
         <source>Let the source stamp its samples when they are measured, not when they are sent.</source>
@@ -7862,16 +7016,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{:.2f} bis {:.2f} s</translation>
     </message>
     <message>
-        <source>{} and {} more segments, {:.2g} s in all</source>
-        <translation>{} und {} weitere Strecken, zusammen {:.2g} s</translation>
-    </message>
-    <message>
         <source>{}: {}</source>
         <translation>{}: {}</translation>
-    </message>
-    <message>
-        <source>What is there is left out; mark it as free to use it.</source>
-        <translation>Was dort steht, wird ausgelassen; markieren Sie es als frei, um es zu verwenden.</translation>
     </message>
     <message>
         <source>Nothing was recorded here.</source>
@@ -7890,10 +7036,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Bewegung verspätet</translation>
     </message>
     <message>
-        <source>The shape contradicts the measured motion by {:.0f} standard deviations, so it was left out: the numbers come from the motion alone.</source>
-        <translation>Die Form widerspricht der gemessenen Bewegung um {:.0f} Standardabweichungen und wurde deshalb weggelassen: Die Zahlen kommen allein aus der Bewegung.</translation>
-    </message>
-    <message>
         <source>should be three numbers</source>
         <translation>sollte drei Zahlen enthalten</translation>
     </message>
@@ -7907,7 +7049,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Name it with --robot, or in the setup file: &quot;robot&quot;: &quot;panda&quot; or the path of a URDF.</source>
-        <translation>Nennen Sie ihn mit --robot oder in der Metadatei: &quot;robot&quot;: &quot;panda&quot; oder den Pfad einer URDF-Datei.</translation>
+        <translation>Nennen Sie ihn mit --robot oder in der Aufbaudatei: &quot;robot&quot;: &quot;panda&quot; oder den Pfad einer URDF-Datei.</translation>
     </message>
     <message>
         <source>The times of /{} were taken from /{}.</source>
@@ -7916,10 +7058,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The datasets of {} rows in /{} have no dataset of times beside them.</source>
         <translation>Bei den Datensätzen mit {} Zeilen in /{} steht kein Datensatz mit Zeiten.</translation>
-    </message>
-    <message>
-        <source>Times count from 0 at the rate that was stated, {:g} Hz.</source>
-        <translation>Die Zeiten zählen ab 0 mit der genannten Rate, {:g} Hz.</translation>
     </message>
     <message>
         <source>pose of a UR with a rotation vector</source>
@@ -7946,14 +7084,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{}, was dieser Rechner nicht entpacken kann (Debian: {})</translation>
     </message>
     <message>
-        <source>The link /{} leads nowhere.</source>
-        <translation>Der Verweis /{} führt ins Leere.</translation>
-    </message>
-    <message>
-        <source>Copy the file that it names beside this one.</source>
-        <translation>Kopieren Sie die Datei, die er nennt, neben diese.</translation>
-    </message>
-    <message>
         <source>datasets of the file are packed with {}.</source>
         <translation>Datensätze der Datei sind gepackt mit {}.</translation>
     </message>
@@ -7971,7 +7101,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>State sensor.wrench_point in the setup file if the TCP is not at the sensor, or record ft_raw_wrench.</source>
-        <translation>Geben Sie sensor.wrench_point in der Metadatei an, wenn der TCP nicht am Sensor liegt, oder zeichnen Sie ft_raw_wrench auf.</translation>
+        <translation>Geben Sie sensor.wrench_point in der Aufbaudatei an, wenn der TCP nicht am Sensor liegt, oder zeichnen Sie ft_raw_wrench auf.</translation>
     </message>
     <message>
         <source>this is a Parquet or Arrow file, for which Debian has no library.</source>
@@ -7994,10 +7124,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Gewählt wurde {}.</translation>
     </message>
     <message>
-        <source>{} missing in {} of {} samples and left aside.</source>
-        <translation>{} in {} von {} Werten nicht vorhanden und bleiben weg.</translation>
-    </message>
-    <message>
         <source>The position is</source>
         <translation>Die Position ist</translation>
     </message>
@@ -8008,14 +7134,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>{} of {} samples of {} do not fit the others: another publisher sends there, too ({}). The one that moves was taken.</source>
         <translation>{} von {} Werten von {} passen nicht zu den anderen: Dort sendet noch jemand ({}). Genommen wurde, was sich bewegt.</translation>
-    </message>
-    <message>
-        <source>The stamps of {} start again in the middle; the recorder&apos;s times are used for all.</source>
-        <translation>Die Zeitstempel von {} beginnen mittendrin von vorn; für alle gelten die Zeiten des Aufzeichners.</translation>
-    </message>
-    <message>
-        <source>the times of {} fall from {:.4f} s to {:.4f} s at sample {}, over what was there already: two recordings, or two clocks.</source>
-        <translation>die Zeiten von {} fallen von {:.4f} s auf {:.4f} s bei Wert {}, über schon Vorhandenes: zwei Aufnahmen oder zwei Uhren.</translation>
     </message>
     <message>
         <source>Split the recording there, or record one source only.</source>
@@ -8050,18 +7168,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Eine Zuordnungsdatei ist ein JSON-Objekt mit use, scale, offset_s, join, pose_of, clock, rate_hz, sensor, {}.</translation>
     </message>
     <message>
-        <source>the offset of {} is {:g} s, more than the {:g} s (63 years) by which clocks can differ.</source>
-        <translation>der Versatz von {} beträgt {:g} s, mehr als die {:g} s (63 Jahre), um die Uhren sich unterscheiden können.</translation>
-    </message>
-    <message>
-        <source>Offsets are in seconds, also where the file counts in ms or ns.</source>
-        <translation>Versätze sind in Sekunden, auch wenn die Datei in ms oder ns zählt.</translation>
-    </message>
-    <message>
-        <source>&quot;rate_hz&quot; is no rate above 0.</source>
-        <translation>„rate_hz“ ist keine Rate über 0.</translation>
-    </message>
-    <message>
         <source>a cell array</source>
         <translation>ein Cell-Array</translation>
     </message>
@@ -8084,10 +7190,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Save it again, for instance with save(&apos;FILE&apos;, &apos;-v7&apos;).</source>
         <translation>Speichern Sie sie noch einmal, zum Beispiel mit save(&apos;FILE&apos;, &apos;-v7&apos;).</translation>
-    </message>
-    <message>
-        <source>Save each quantity as a matrix of numbers with one row a sample.</source>
-        <translation>Speichern Sie jede Größe als Matrix von Zahlen mit einer Zeile je Wert.</translation>
     </message>
     <message>
         <source>its encoding &quot;{}&quot; is none of those that Heft reads (ros1, cdr, json)</source>
@@ -8122,16 +7224,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>keine Zahlen</translation>
     </message>
     <message>
-        <source>Save each quantity as an array of numbers with one row a sample.</source>
-        <translation>Speichern Sie jede Größe als Feld von Zahlen mit einer Zeile je Wert.</translation>
-    </message>
-    <message>
         <source>The first row looks like data, not like names; the columns are called column1 to column{}.</source>
         <translation>Die erste Zeile sieht nach Daten aus, nicht nach Namen; die Spalten heißen column1 bis column{}.</translation>
-    </message>
-    <message>
-        <source>The first row looks like data, not like names; by the numbers the columns are taken to be {}.</source>
-        <translation>Die erste Zeile sieht nach Daten aus, nicht nach Namen; nach den Zahlen werden die Spalten für {} gehalten.</translation>
     </message>
     <message>
         <source>Put a row of names above it, or name the columns by their numbers, for instance with --use fx=column2.</source>
@@ -8155,11 +7249,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>State sensor.mount in the setup file.</source>
-        <translation>Geben Sie sensor.mount in der Metadatei an.</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; in column time is no number of seconds.</source>
-        <translation>„{}“ in Spalte time ist keine Zahl von Sekunden.</translation>
+        <translation>Geben Sie sensor.mount in der Aufbaudatei an.</translation>
     </message>
     <message>
         <source>the first row looks like data, not like column names.</source>
@@ -8234,20 +7324,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Einige Male in verschiedene Richtungen bewegen und abrupt anhalten: Was lose ist, schwingt nach.</translation>
     </message>
     <message>
-        <source>The tool&apos;s mount gives (flexible mount)</source>
-        <translation>Montage gibt nach (weiche Halterung)</translation>
-    </message>
-    <message>
         <source>A small, fast ringing after every jerk, always at the same frequency.</source>
         <translation>Ein feines, schnelles Nachklingen nach jedem Ruck, immer gleich hoch.</translation>
     </message>
     <message>
         <source>Load changed during the recording</source>
         <translation>Last änderte sich unterwegs</translation>
-    </message>
-    <message>
-        <source>From one moment on there is a residual that turns with the tool, as a weight does.</source>
-        <translation>Von einem Augenblick an gibt es eine Abweichung, die sich mit dem Werkzeug dreht, wie ein Gewicht.</translation>
     </message>
     <message>
         <source>The tool touched something (contact)</source>
@@ -8351,7 +7433,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>The sensor&apos;s origin is {} mm from where the setup file puts it.</source>
-        <translation>Der Ursprung des Sensors sitzt {} mm neben der Stelle aus der Meta-Datei.</translation>
+        <translation>Der Ursprung des Sensors sitzt {} mm neben der Stelle aus der Aufbaudatei.</translation>
     </message>
     <message>
         <source>The inertial forces differ by {} % from what the motion predicts.</source>
@@ -8367,11 +7449,11 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>The payload is given in the sensor frame that the setup file states.</source>
-        <translation>Die Nutzlast gilt für Ort und Achsen des Sensors, wie die Meta-Datei sie angibt.</translation>
+        <translation>Die Nutzlast gilt für Ort und Achsen des Sensors, wie die Aufbaudatei sie angibt.</translation>
     </message>
     <message>
         <source>If you use the corrected setup file, estimate again with it.</source>
-        <translation>Wird die korrigierte Meta-Datei verwendet, mit ihr noch einmal schätzen.</translation>
+        <translation>Wird die korrigierte Aufbaudatei verwendet, mit ihr noch einmal schätzen.</translation>
     </message>
     <message>
         <source>The channel {} is {:+.1f} % off in one direction and {:+.1f} % in the other.</source>
@@ -8487,43 +7569,19 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>The readings look as if the sensor were turned by about {:.1f} degrees from where the setup file has it. The centre of mass is off accordingly, by more than its interval says.</source>
-        <translation>Die Messwerte sehen aus, als wäre der Sensor um etwa {:.1f} Grad gegen die Angabe in der Meta-Datei verdreht. Entsprechend weicht der Schwerpunkt ab, um mehr, als sein Intervall sagt.</translation>
+        <translation>Die Messwerte sehen aus, als wäre der Sensor um etwa {:.1f} Grad gegen die Angabe in der Aufbaudatei verdreht. Entsprechend weicht der Schwerpunkt ab, um mehr, als sein Intervall sagt.</translation>
     </message>
     <message>
         <source>Force and torque do not agree: in the torque, mass times lever is about {:.0f} % of what it is in the force. Mass and centre may be off by as much.</source>
         <translation>Kraft und Drehmoment passen nicht zusammen: Im Drehmoment beträgt Masse mal Hebel etwa {:.0f} % dessen, was die Kraft sagt. Masse und Schwerpunkt können um ebenso viel abweichen.</translation>
     </message>
     <message>
-        <source>Several wrenches would do; {} was taken, since the motion explains {:.0f} % of its force, and {:.0f} % of that of {}.</source>
-        <translation>Mehrere Kräfte kommen in Frage; genommen wurde {}, denn die Bewegung erklärt {:.0f} % ihrer Kraft, und {:.0f} % der von {}.</translation>
-    </message>
-    <message>
-        <source>Several wrenches would do; {} was taken, and it could also be {}.</source>
-        <translation>Mehrere Kräfte kommen in Frage; genommen wurde {}, es könnte auch {} sein.</translation>
-    </message>
-    <message>
         <source>its columns could not be read again.</source>
         <translation>ihre Spalten konnten nicht noch einmal gelesen werden.</translation>
     </message>
     <message>
-        <source>{} exists and was not replaced.</source>
-        <translation>{} gibt es schon; die Datei wurde nicht ersetzt.</translation>
-    </message>
-    <message>
-        <source>{} was deleted while it was written.</source>
-        <translation>{} wurde gelöscht, während die Datei geschrieben wurde.</translation>
-    </message>
-    <message>
-        <source>The log repeats each wrench for {:.0f} ms; each was used once, with the motion of the moment at which it came.</source>
-        <translation>Das Protokoll wiederholt jeden Messwert des Sensors {:.0f} ms lang; jeder wurde einmal verwendet, mit der Bewegung des Augenblicks, in dem er kam.</translation>
-    </message>
-    <message>
         <source>The forces fit an accelerometer at {:.0f}, {:.0f}, {:.0f} mm from the sensor&apos;s origin.</source>
         <translation>Die Kräfte passen zu einem Beschleunigungssensor bei {:.0f}, {:.0f}, {:.0f} mm vom Ursprung des Sensors.</translation>
-    </message>
-    <message>
-        <source>by its name it is not on the tool</source>
-        <translation>sein Name sagt, dass er nicht am Werkzeug sitzt</translation>
     </message>
     <message>
         <source>{}, which this machine cannot unpack (pip: hdf5plugin, with HDF5_PLUGIN_PATH at its plugins)</source>
@@ -8546,26 +7604,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Bekannt sind time, q1 bis q7, dq1 bis dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, ax, ay, az und die Gruppen joints, velocities, position, quaternion, rotation, wrench, accelerometer, gyroscope sowie demo.</translation>
     </message>
     <message>
-        <source>its clock is another one</source>
-        <translation>er hat eine andere Uhr</translation>
-    </message>
-    <message>
-        <source>its times start again in the middle</source>
-        <translation>seine Zeiten beginnen in der Mitte von vorn</translation>
-    </message>
-    <message>
-        <source>it has hardly any samples</source>
-        <translation>er hat kaum Werte</translation>
-    </message>
-    <message>
-        <source>The accelerometer was left aside: {}.</source>
-        <translation>Der Beschleunigungssensor wurde beiseite gelassen: {}.</translation>
-    </message>
-    <message>
-        <source>The accelerometer&apos;s times were shifted by {:.4f} s, where the force follows it best.</source>
-        <translation>Die Zeiten des Beschleunigungssensors wurden um {:.4f} s verschoben; so folgt ihm die Kraft am besten.</translation>
-    </message>
-    <message>
         <source>it was there for {} of {} samples only</source>
         <translation>er war nur bei {} von {} Werten da</translation>
     </message>
@@ -8574,32 +7612,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Beschleunigungssensor wurde nicht verwendet: seine Werte folgen nicht der Drehung der Schwerkraft im Sensor.</translation>
     </message>
     <message>
-        <source>Is it on the tool side of the sensor, and does it read what is felt, gravity included?</source>
-        <translation>Sitzt er auf der Werkzeugseite des Sensors, und misst er samt Schwerkraft?</translation>
-    </message>
-    <message>
         <source>The sensor&apos;s acceleration was taken from the accelerometer, which is turned by {} degrees (roll, pitch, yaw) against the sensor, as the data show.</source>
         <translation>Die Beschleunigung des Sensors stammt vom Beschleunigungssensor, der den Daten nach um {} Grad (Roll, Nick, Gier) gegen den Sensor verdreht ist.</translation>
     </message>
     <message>
         <source>The accelerometer agrees with the motion to {:.2g} m/s2 rms; it is turned by {} degrees (roll, pitch, yaw) against the sensor and stands at {:.0f}, {:.0f}, {:.0f} mm.</source>
         <translation>Der Beschleunigungssensor stimmt auf {:.2g} m/s2 eff. mit der Bewegung überein; er ist um {} Grad (Roll, Nick, Gier) gegen den Sensor verdreht und sitzt bei {:.0f}, {:.0f}, {:.0f} mm.</translation>
-    </message>
-    <message>
-        <source>The accelerometer differs from the motion by {:.2g} m/s2 rms, wherever it is mounted: the tool was accelerated otherwise than the joints or poses say.</source>
-        <translation>Der Beschleunigungssensor weicht um {:.2g} m/s2 eff. von der Bewegung ab, wo immer er sitzt: das Werkzeug wurde anders beschleunigt, als Gelenke oder Posen sagen.</translation>
-    </message>
-    <message>
-        <source>Check the direction of gravity, the clocks, and whether something between arm and tool gives way.</source>
-        <translation>Prüfen Sie die Richtung der Schwerkraft, die Uhren, und ob zwischen Arm und Werkzeug etwas nachgibt.</translation>
-    </message>
-    <message>
-        <source>The accelerometer lacks an axis and is set aside.</source>
-        <translation>Dem Beschleunigungssensor fehlt eine Achse; er bleibt beiseite.</translation>
-    </message>
-    <message>
-        <source>The gyroscope lacks an axis and is set aside.</source>
-        <translation>Dem Drehratensensor fehlt eine Achse; er bleibt beiseite.</translation>
     </message>
     <message>
         <source>The accelerometer&apos;s readings are</source>
@@ -8612,10 +7630,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The accelerometer reads {:.3g} most of the time, so it is in g.</source>
         <translation>Der Beschleunigungssensor zeigt meist {:.3g}, er misst also in g.</translation>
-    </message>
-    <message>
-        <source>The accelerometer reads {:.3g} most of the time, neither 9.81 m/s2 nor 1 g, and is left aside: gravity was taken out of it, or it is no accelerometer.</source>
-        <translation>Der Beschleunigungssensor zeigt meist {:.3g}, weder 9.81 m/s2 noch 1 g, und bleibt beiseite: die Schwerkraft wurde herausgerechnet, oder er ist keiner.</translation>
     </message>
     <message>
         <source>Done</source>
@@ -8636,14 +7650,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>{} segments, {:.1f} s in total, were excluded: what acts there is related to {} and is not contact.</source>
         <translation>{} Abschnitte, zusammen {:.1f} s, blieben außen vor: Was dort wirkt, hängt mit {} zusammen und ist keine Berührung.</translation>
-    </message>
-    <message>
-        <source>The model fits: nothing is left but the sensor&apos;s noise and its zero, which wanders slowly.</source>
-        <translation>Das Modell passt: Es bleiben nur das Rauschen des Sensors und sein Nullpunkt, der langsam wandert.</translation>
-    </message>
-    <message>
-        <source>The model fits: nothing is left but the sensor&apos;s noise.</source>
-        <translation>Das Modell passt: Es bleibt nur das Rauschen des Sensors.</translation>
     </message>
     <message>
         <source>Two or more causes are possible: &quot;{}&quot; or {}. This motion cannot distinguish them.</source>
@@ -8686,10 +7692,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Prüfen Sie die Einheit und ob sie sich auf den Schwerpunkt bezieht, oder schätzen Sie neu.</translation>
     </message>
     <message>
-        <source>Guide the tool for ten seconds and tilt it to all sides, touching nothing.</source>
-        <translation>Führen Sie das Werkzeug zehn Sekunden lang und kippen Sie es nach allen Seiten, ohne etwas zu berühren.</translation>
-    </message>
-    <message>
         <source>{}: the mass must be above zero.</source>
         <translation>{}: Die Masse muss größer als null sein.</translation>
     </message>
@@ -8702,20 +7704,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Schätzen Sie die Last neu und sehen Sie die Hinweise an.</translation>
     </message>
     <message>
-        <source>PASS. With this payload taken off, only the sensor&apos;s noise is left.</source>
-        <translation>BESTANDEN. Zieht man diese Last ab, bleibt nur das Rauschen des Sensors.</translation>
-    </message>
-    <message>
         <source>NOT YET.</source>
         <translation>NOCH NICHT.</translation>
     </message>
     <message>
         <source>The sensor is mounted on {} in {} and on {} in {}.</source>
         <translation>Der Sensor ist an {} montiert in {} und an {} in {}.</translation>
-    </message>
-    <message>
-        <source>The sensor sits {:.2f} mm apart in {} and {}.</source>
-        <translation>Der Sensor sitzt um {:.2f} mm versetzt in {} und {}.</translation>
     </message>
     <message>
         <source>The sensor is turned by {:.2f} degrees between {} and {}.</source>
@@ -8735,15 +7729,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>State the same &quot;gravity_m_s2&quot; in both setup files.</source>
-        <translation>Geben Sie in beiden Meta-Dateien dasselbe „gravity_m_s2“ an.</translation>
-    </message>
-    <message>
-        <source>{} deserves little trust, and with it the object&apos;s numbers.</source>
-        <translation>{} verdient wenig Vertrauen, und damit auch die Zahlen des Gegenstands.</translation>
-    </message>
-    <message>
-        <source>Estimate it by itself and look at its findings.</source>
-        <translation>Schätzen Sie sie für sich und sehen Sie die Hinweise an.</translation>
+        <translation>Geben Sie in beiden Aufbaudateien dasselbe „gravity_m_s2“ an.</translation>
     </message>
     <message>
         <source>The object is found by the method map with all parameters and without a shape or a stated mass, which would be that of one of the two bodies.</source>
@@ -8751,15 +7737,11 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>The object is the difference of two estimates in the same sensor axes: state the same &quot;mount&quot; in both setup files, or record both with the same one.</source>
-        <translation>Der Gegenstand ist die Differenz zweier Schätzungen in denselben Sensorachsen: Geben Sie in beiden Meta-Dateien dasselbe „mount“ an, oder nehmen Sie beide mit derselben Montage auf.</translation>
+        <translation>Der Gegenstand ist die Differenz zweier Schätzungen in denselben Sensorachsen: Geben Sie in beiden Aufbaudateien dasselbe „mount“ an, oder nehmen Sie beide mit derselben Montage auf.</translation>
     </message>
     <message>
         <source>The tool is {:.3f} kg lighter with the object than without it.</source>
         <translation>Das Werkzeug ist mit dem Gegenstand {:.3f} kg leichter als ohne ihn.</translation>
-    </message>
-    <message>
-        <source>Exchange the two recordings, or check that both are of the same tool.</source>
-        <translation>Vertauschen Sie die beiden Aufnahmen, oder prüfen Sie, ob beide vom selben Werkzeug sind.</translation>
     </message>
     <message>
         <source>The object cannot be weighed. {}</source>
@@ -8814,10 +7796,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Schwerpunkt ist durch diese Bewegungen nicht ganz bestimmt.</translation>
     </message>
     <message>
-        <source>{} is no result of a diagnosis; make one with heft diagnose REC --json FILE.</source>
-        <translation>{} ist kein Ergebnis einer Diagnose; machen Sie eines mit heft diagnose REC --json DATEI.</translation>
-    </message>
-    <message>
         <source>{} found no cause, so {} cannot be left out.</source>
         <translation>{} fand keine Ursache, also kann {} nicht weggelassen werden.</translation>
     </message>
@@ -8838,10 +7816,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Sie hat kein Modell, das sich auf eine andere Bewegung übertragen ließe.</translation>
     </message>
     <message>
-        <source>It is about what the file&apos;s numbers mean, not about the rig.</source>
-        <translation>Es geht darum, was die Zahlen der Datei bedeuten, nicht um den Aufbau.</translation>
-    </message>
-    <message>
         <source>{}: its payload cannot exist: {}</source>
         <translation>{}: Diese Last kann es nicht geben: {}</translation>
     </message>
@@ -8854,36 +7828,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>andere um weniger</translation>
     </message>
     <message>
-        <source>This recording shows how the sensor or the robot&apos;s base is turned only to +- {:.1f} degrees. That alone may move the centre of mass by {:.0f} mm.</source>
-        <translation>Diese Aufnahme zeigt nur auf +- {:.1f} Grad, wie der Sensor oder der Sockel des Roboters gedreht ist. Allein das kann den Schwerpunkt um {:.0f} mm verschieben.</translation>
-    </message>
-    <message>
-        <source>State the mount and gravity in the setup file, or record a motion that tilts and turns the tool more.</source>
-        <translation>Geben Sie Einbaulage und Schwerkraft in der Meta-Datei an, oder nehmen Sie eine Bewegung auf, die das Werkzeug stärker neigt und dreht.</translation>
-    </message>
-    <message>
         <source>{} does not state where the sensor is mounted; make it again with heft diagnose REC --json FILE.</source>
         <translation>{} sagt nicht, wo der Sensor sitzt; erzeugen Sie die Datei neu mit heft diagnose REC --json FILE.</translation>
     </message>
     <message>
         <source>Comparing ways to smooth the motion</source>
         <translation>Glättungen der Bewegung werden verglichen</translation>
-    </message>
-    <message>
-        <source>Working out what would have been seen</source>
-        <translation>Es wird berechnet, was zu sehen gewesen wäre</translation>
-    </message>
-    <message>
-        <source>The arm&apos;s bodies cannot be read, so motions are not judged against the arm itself: {}</source>
-        <translation>Die Körper des Arms lassen sich nicht lesen; Bewegungen werden deshalb nicht gegen den Arm selbst geprüft: {}</translation>
-    </message>
-    <message>
-        <source>No motion from this posture stays clear of everything: {} Bring the arm to where there is more room.</source>
-        <translation>Keine Bewegung aus dieser Stellung bleibt von allem frei: {} Bringen Sie den Arm dorthin, wo mehr Platz ist.</translation>
-    </message>
-    <message>
-        <source>The taught path itself, where it is free, leaves no room for sines: {}</source>
-        <translation>Schon der gelehrte Weg lässt in seinen freien Teilen keinen Platz für Sinusbewegungen: {}</translation>
     </message>
     <message>
         <source>the tool</source>
@@ -8906,14 +7856,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} und {}</translation>
     </message>
     <message>
-        <source>Not judged against each other, as they are as near in the home posture: {}.</source>
-        <translation>Nicht gegeneinander geprüft, da sie einander schon in der Grundstellung so nahe sind: {}.</translation>
-    </message>
-    <message>
-        <source>There is no point to make a hull of.</source>
-        <translation>Es gibt keinen Punkt, um den sich eine Hülle legen ließe.</translation>
-    </message>
-    <message>
         <source>The hull of {} points cannot be computed.</source>
         <translation>Die Hülle von {} Punkten lässt sich nicht bestimmen.</translation>
     </message>
@@ -8934,28 +7876,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{}: {} enthält kein Dreieck.</translation>
     </message>
     <message>
-        <source>{} is no object.</source>
-        <translation>{} ist kein Objekt.</translation>
-    </message>
-    <message>
         <source>{} needs a &quot;name&quot;, by which it is called in messages.</source>
         <translation>{} braucht einen &quot;name&quot;, unter dem es in Meldungen steht.</translation>
     </message>
     <message>
         <source>{} ({}) must be one of &quot;plane&quot;, &quot;box&quot; and &quot;mesh&quot;.</source>
         <translation>{} ({}) muss eines von &quot;plane&quot;, &quot;box&quot; und &quot;mesh&quot; sein.</translation>
-    </message>
-    <message>
-        <source>{}: the normal has no direction.</source>
-        <translation>{}: Die Normale hat keine Richtung.</translation>
-    </message>
-    <message>
-        <source>{}: the edges of a box are above zero.</source>
-        <translation>{}: Die Kanten eines Quaders sind größer als null.</translation>
-    </message>
-    <message>
-        <source>{} is no room: expected {{&quot;schema&quot;: &quot;heft.room/1&quot;, &quot;obstacles&quot;: [...]}}.</source>
-        <translation>{} ist kein Raum: erwartet wird {{&quot;schema&quot;: &quot;heft.room/1&quot;, &quot;obstacles&quot;: [...]}}.</translation>
     </message>
     <message>
         <source>{}: margin_m must be a number from 0 to 0.5.</source>
@@ -8968,14 +7894,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>{}: two obstacles are called {}.</source>
         <translation>{}: Zwei Hindernisse heißen {}.</translation>
-    </message>
-    <message>
-        <source>it presses with less than {:.0f} N</source>
-        <translation>es drückt mit weniger als {:.0f} N</translation>
-    </message>
-    <message>
-        <source>the direction of the force wanders by {:.0f} degrees</source>
-        <translation>die Richtung der Kraft schwankt um {:.0f} Grad</translation>
     </message>
     <message>
         <source>it moves by {:.0f} mm while it is pressed</source>
@@ -8994,10 +7912,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Drücken Sie das Werkzeug gegen die Wand oder den Tisch und halten Sie es eine Sekunde lang.</translation>
     </message>
     <message>
-        <source>{}: nothing was seen to be picked up or put down in it. Give two recordings instead, one with the object and one without.</source>
-        <translation>{}: Darin wurde nichts aufgenommen oder abgelegt. Geben Sie stattdessen zwei Aufnahmen an, eine mit dem Gegenstand und eine ohne.</translation>
-    </message>
-    <message>
         <source>{}: the payload changes in the same direction at {:.1f} and {:.1f} s, so there are three of them. Give two recordings, one with the object and one without.</source>
         <translation>{}: Die Last ändert sich bei {:.1f} und {:.1f} s in dieselbe Richtung, es sind also drei. Geben Sie zwei Aufnahmen an, eine mit dem Gegenstand und eine ohne.</translation>
     </message>
@@ -9010,10 +7924,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Ohne sie sind die Bereiche von Masse, Schwerpunkt und Trägheit {:.1f}-, {:.1f}- und {:.1f}-mal so breit.</translation>
     </message>
     <message>
-        <source>Of another tool: by itself it gives {:.3f} kg, the others give {:.3f} kg.</source>
-        <translation>Von einem anderen Werkzeug: Für sich ergibt sie {:.3f} kg, die anderen ergeben {:.3f} kg.</translation>
-    </message>
-    <message>
         <source>The only one that is used.</source>
         <translation>Die einzige, die verwendet wird.</translation>
     </message>
@@ -9022,32 +7932,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Zeilen gehören zu {} Koordinatensystemen, jedes eine eigene Quelle: {}.</translation>
     </message>
     <message>
-        <source>{} rows have no {} and were set aside.</source>
-        <translation>{} Zeilen haben kein {} und wurden beiseitegelassen.</translation>
-    </message>
-    <message>
-        <source>The accelerometer reports gravity in place of what is felt (at rest it points down); its signs were turned.</source>
-        <translation>Der Beschleunigungssensor meldet die Schwerkraft anstelle dessen, was er spürt (in Ruhe zeigt er nach unten); seine Vorzeichen wurden umgekehrt.</translation>
-    </message>
-    <message>
-        <source>{} That is not put down to the rig: Heft brought the two clocks together by the data, to within {:.1f} ms.</source>
-        <translation>{} Das wird nicht dem Aufbau zugeschrieben: Heft hat die beiden Uhren anhand der Daten zusammengebracht, auf {:.1f} ms genau.</translation>
-    </message>
-    <message>
         <source>To judge delays, record force and motion on one clock.</source>
         <translation>Um Verzögerungen zu beurteilen, zeichnen Sie Kraft und Bewegung mit einer Uhr auf.</translation>
     </message>
     <message>
-        <source>by its name it does not move</source>
-        <translation>ihrem Namen nach bewegt sie sich nicht</translation>
-    </message>
-    <message>
         <source>an inertial sensor&apos;s own estimate, which knows nothing of the robot&apos;s base</source>
         <translation>eine Schätzung des Inertialsensors selbst, der von der Basis des Roboters nichts weiß</translation>
-    </message>
-    <message>
-        <source>libfranka&apos;s pose of its end effector, a matrix by columns</source>
-        <translation>Pose des Endeffektors nach libfranka, eine Matrix nach Spalten</translation>
     </message>
     <message>
         <source>pose of a FANUC: mm, and W, P, R in degrees</source>
@@ -9066,10 +7956,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Was in der Steuerung steht, braucht eine Masse von null oder mehr.</translation>
     </message>
     <message>
-        <source>{} is no passport: its &quot;schema&quot; should be &quot;{}&quot;.</source>
-        <translation>{} ist kein Pass: „schema“ sollte „{}“ sein.</translation>
-    </message>
-    <message>
         <source>A passport needs the tool&apos;s name.</source>
         <translation>Ein Pass braucht den Namen des Werkzeugs.</translation>
     </message>
@@ -9086,10 +7972,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} ist der Pass eines anderen Werkzeugs, „{}“.</translation>
     </message>
     <message>
-        <source>{}: mass, centre of mass or inertia is missing or holds something that is no number.</source>
-        <translation>{}: Masse, Schwerpunkt oder Trägheit fehlt oder enthält etwas, das keine Zahl ist.</translation>
-    </message>
-    <message>
         <source>{} holds no payload. Heft reads a Franka Desk end effector, a Franka tool profile, a result of &apos;heft estimate&apos; and a payload with mass_kg, com_m and inertia_com_kgm2.</source>
         <translation>{} enthält keine Last. Heft liest einen Endeffektor aus Franka Desk, ein Werkzeugprofil von Franka, ein Ergebnis von &apos;heft estimate&apos; und eine Last mit mass_kg, com_m und inertia_com_kgm2.</translation>
     </message>
@@ -9104,10 +7986,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Too little free motion is left to show what a fault would do.</source>
         <translation>Es bleibt zu wenig freie Bewegung, um zu zeigen, was ein Fehler täte.</translation>
-    </message>
-    <message>
-        <source>{} is no lesson: its &quot;schema&quot; should be &quot;{}&quot;.</source>
-        <translation>{} ist keine Lektion: „schema“ sollte „{}“ sein.</translation>
     </message>
     <message>
         <source>{}: &quot;{}&quot; {}.</source>
@@ -9166,24 +8044,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>sollte genau eine mit „right“: true enthalten</translation>
     </message>
     <message>
-        <source>Something else is in the readings, too. The point that the torque is about, and the centre of mass with it, may be off by as much as {:.0f} mm.</source>
-        <translation>In den Messwerten steckt noch etwas anderes. Der Bezugspunkt des Drehmoments und mit ihm der Schwerpunkt können um bis zu {:.0f} mm falsch sein.</translation>
-    </message>
-    <message>
         <source>Ask the controller&apos;s manual for the point, and state it as wrench_point in the setup file.</source>
-        <translation>Suchen Sie den Punkt im Handbuch der Steuerung und geben Sie ihn als wrench_point in der Metadatei an.</translation>
-    </message>
-    <message>
-        <source>This recording shows the point that the torque is about only to +- {:.0f} mm, and the centre of mass as well.</source>
-        <translation>Diese Aufnahme zeigt den Bezugspunkt des Drehmoments nur auf +- {:.0f} mm genau, und den Schwerpunkt ebenso.</translation>
+        <translation>Suchen Sie den Punkt im Handbuch der Steuerung und geben Sie ihn als wrench_point in der Aufbaudatei an.</translation>
     </message>
     <message>
         <source>State wrench_point in the setup file, or record a motion with brisk turns.</source>
-        <translation>Geben Sie wrench_point in der Metadatei an oder nehmen Sie eine Bewegung mit flotten Drehungen auf.</translation>
-    </message>
-    <message>
-        <source>Measure from the flange to the sensor&apos;s origin and compare with the setup file. If that is right, the torque is about another point: state wrench_point.</source>
-        <translation>Messen Sie vom Flansch zum Ursprung des Sensors und vergleichen Sie mit der Metadatei. Stimmt das Maß, bezieht sich das Drehmoment auf einen anderen Punkt: Geben Sie wrench_point an.</translation>
+        <translation>Geben Sie wrench_point in der Aufbaudatei an oder nehmen Sie eine Bewegung mit flotten Drehungen auf.</translation>
     </message>
     <message>
         <source>The transform of {} alone was taken for the sensor&apos;s pose in the robot&apos;s base; transforms are not chained.</source>
@@ -9195,7 +8061,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>For standing poses write &quot;kind&quot;: &quot;poses&quot; into the setup file.</source>
-        <translation>Für stehende Posen sagen Sie &quot;kind&quot;: &quot;poses&quot; in der Meta-Datei.</translation>
+        <translation>Für stehende Posen sagen Sie &quot;kind&quot;: &quot;poses&quot; in der Aufbaudatei.</translation>
     </message>
     <message>
         <source>The sensor&apos;s mounting is not stated; it is assumed to be at the origin of the robot&apos;s link &quot;{}&quot;.</source>
@@ -9208,14 +8074,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The arm cannot hold this load all along the taught path: {}</source>
         <translation>Der Arm kann diese Last nicht auf dem ganzen gelehrten Weg halten: {}</translation>
-    </message>
-    <message>
-        <source>Joint {} would need {:.1f} of the {:.1f} N m that it may give, {:.1f} s into the motion.</source>
-        <translation>Gelenk {} bräuchte {:.1f} von {:.1f} N m, die es aufbringen darf, {:.1f} s nach Beginn der Bewegung.</translation>
-    </message>
-    <message>
-        <source>{} is no result of an estimate; make one with heft estimate REC --json FILE.</source>
-        <translation>{} ist kein Ergebnis einer Schätzung; erzeugen Sie eines mit heft estimate REC --json DATEI.</translation>
     </message>
     <message>
         <source>from your shape</source>
@@ -9242,10 +8100,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>95 %</translation>
     </message>
     <message>
-        <source>Known from</source>
-        <translation>Bekannt aus</translation>
-    </message>
-    <message>
         <source>Numbers, in the sensor’s axes</source>
         <translation>Zahlen, in den Achsen des Sensors</translation>
     </message>
@@ -9256,14 +8110,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>These numbers were not proved on another recording.</source>
         <translation>Diese Zahlen wurden an keiner anderen Aufnahme bewiesen.</translation>
-    </message>
-    <message>
-        <source>It is taken out of the numbers.</source>
-        <translation>Sie ist aus den Zahlen herausgerechnet.</translation>
-    </message>
-    <message>
-        <source>It is not taken out of the numbers.</source>
-        <translation>Sie ist nicht aus den Zahlen herausgerechnet.</translation>
     </message>
     <message>
         <source>Causes of misfit</source>
@@ -9278,10 +8124,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Keine wurde gefunden.</translation>
     </message>
     <message>
-        <source>Could not have been seen: {}.</source>
-        <translation>Nicht zu sehen gewesen wären: {}.</translation>
-    </message>
-    <message>
         <source>The tool has changed, by more than chance.</source>
         <translation>Das Werkzeug hat sich geändert, mehr als durch Zufall.</translation>
     </message>
@@ -9292,10 +8134,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Since the passport of {}</source>
         <translation>Seit dem Pass vom {}</translation>
-    </message>
-    <message>
-        <source>The sensor’s mount is stated otherwise, so the mass alone is compared.</source>
-        <translation>Der Anbau des Sensors ist anders angegeben, daher wird nur die Masse verglichen.</translation>
     </message>
     <message>
         <source>Before</source>
@@ -9318,28 +8156,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{}, {}. Aufnahme {}.</translation>
     </message>
     <message>
-        <source>These numbers deserve little trust; see the result’s warnings.</source>
-        <translation>Diese Zahlen verdienen wenig Vertrauen; siehe die Warnungen des Ergebnisses.</translation>
-    </message>
-    <message>
         <source>Payload passport: {}</source>
         <translation>Werkzeugpass: {}</translation>
     </message>
     <message>
         <source>Checked on {}.</source>
         <translation>Geprüft an {}.</translation>
-    </message>
-    <message>
-        <source>Left over in free motion: {} N and {}; the sensor’s own scatter is {} N and {}.</source>
-        <translation>In freier Bewegung bleiben {} N und {}; der Sensor selbst streut mit {} N und {}.</translation>
-    </message>
-    <message>
-        <source>An error of {} or {} would have shown.</source>
-        <translation>Ein Fehler von {} oder {} wäre aufgefallen.</translation>
-    </message>
-    <message>
-        <source>PASS: with these numbers taken off, only the sensor’s noise is left.</source>
-        <translation>BESTANDEN: Ohne diese Last bleibt nur das Rauschen des Sensors.</translation>
     </message>
     <message>
         <source>NOT YET</source>
@@ -9406,14 +8228,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Abgelegt bei {} s.</translation>
     </message>
     <message>
-        <source>Visit poses in which the other joints stand very differently, elbow high and low. No motion tells a wrong zero of the last joint from a sensor rotated about its axis: look at the rig.</source>
-        <translation>Lagen aufsuchen, in denen die anderen Gelenke ganz anders stehen, Ellbogen hoch und tief. Eine falsche Nullstellung des letzten Gelenks unterscheidet keine Bewegung von einem um seine Achse verdrehten Sensor: Sehen Sie am Aufbau nach.</translation>
-    </message>
-    <message>
-        <source>Turn the last joint by half a turn and hold, then tilt the tool. No motion tells a sensor rotated about the last joint&apos;s axis from a wrong zero of that joint: look at the rig.</source>
-        <translation>Das letzte Gelenk um eine halbe Drehung drehen und halten, dann das Werkzeug kippen. Einen um die Achse des letzten Gelenks verdrehten Sensor unterscheidet keine Bewegung von einer falschen Nullstellung dieses Gelenks: Sehen Sie am Aufbau nach.</translation>
-    </message>
-    <message>
         <source>No name says which column holds the time; {} rises in even steps and was taken.</source>
         <translation>Kein Name sagt, welche Spalte die Zeit enthält; {} steigt in gleichmäßigen Schritten und wurde genommen.</translation>
     </message>
@@ -9429,19 +8243,1363 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The posture leaps here within one row: rows are missing, or two recordings were joined.</source>
         <translation>Die Haltung springt hier von einer Zeile zur nächsten: Zeilen fehlen, oder zwei Aufnahmen wurden aneinandergefügt.</translation>
     </message>
+    <message>
+        <source>Only {:.1f} s are free of contact, so the bias of the result is subtracted; it may be out of date.</source>
+        <translation>Nur {:.1f} s berühren nichts, deshalb wird der Nullpunkt des Ergebnisses abgezogen; er kann der eines anderen Tages sein.</translation>
+    </message>
+    <message>
+        <source>In free motion {:.2g} N remain, but the sensor noise is only {:.2g} N: this is not the payload of this recording, or something else acts on the tool.</source>
+        <translation>In freier Bewegung bleiben {:.2g} N übrig, wo der Sensor selbst um {:.2g} N streut: Die Last ist nicht die dieser Aufnahme, oder etwas anderes wirkt mit.</translation>
+    </message>
+    <message>
+        <source>With these causes corrected the payload would be physically impossible, so it was left unchanged.</source>
+        <translation>Ohne diese Ursachen wäre die Last unmöglich, deshalb bleibt sie, wie sie war.</translation>
+    </message>
+    <message>
+        <source>Correcting these causes does not improve held-out segments, so the payload was left unchanged.</source>
+        <translation>Diese Ursachen herauszunehmen hilft nicht, ungesehene Abschnitte vorherzusagen; deshalb bleibt die Last, wie sie war.</translation>
+    </message>
+    <message>
+        <source>Find the unknown part first: record the motion again, more slowly.</source>
+        <translation>Finden Sie zuerst, was unbekannt ist: Nehmen Sie die Bewegung noch einmal auf, langsamer.</translation>
+    </message>
+    <message>
+        <source>Without the bound some mass would lie outside the shape; keeping it inside shifted the result by {:.1f} standard deviations.</source>
+        <translation>Ohne die Grenze läge etwas Masse außerhalb der Form; sie innen zu halten verschob das Ergebnis um {:.1f} Standardabweichungen.</translation>
+    </message>
+    <message>
+        <source>The inertia is neither estimated nor given; a typical tool size was assumed for it.</source>
+        <translation>Die Trägheit ist weder bestimmt noch angegeben; die eines Werkzeugs üblicher Größe wurde angenommen.</translation>
+    </message>
+    <message>
+        <source>an axis in the plane of the tool&apos;s flat side</source>
+        <translation>eine Achse in der flachen Seite des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>the axis perpendicular to the tool&apos;s flat side</source>
+        <translation>die Achse senkrecht zur flachen Seite des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Recording {} contradicts the others: {:.3f} kg against {:.3f} kg, centre of mass {:.0f} mm apart. It was excluded.</source>
+        <translation>Aufnahme {} widerspricht den anderen: {:.3f} kg gegen {:.3f} kg, Schwerpunkte {:.0f} mm auseinander. Sie wurde ausgelassen.</translation>
+    </message>
+    <message>
+        <source>With two recordings it is not clear which one has the right tool: check both.</source>
+        <translation>Bei zwei Aufnahmen kann niemand sagen, welche vom richtigen Werkzeug ist: Prüfen Sie beide.</translation>
+    </message>
+    <message>
+        <source>Estimate it separately.</source>
+        <translation>Werten Sie sie für sich allein aus.</translation>
+    </message>
+    <message>
+        <source>{:.1f} s of {:.1f} s look like contact and were excluded: {}.</source>
+        <translation>{:.1f} s von {:.1f} s sahen nach Kontakt aus und wurden ausgelassen: {}.</translation>
+    </message>
+    <message>
+        <source>This is too little free motion for a reliable result: check the marks, or record a longer free segment.</source>
+        <translation>Bei so wenig freier Bewegung ist das Vertrauen gering: Prüfen Sie die Markierungen, oder nehmen Sie einen längeren freien Teil auf.</translation>
+    </message>
+    <message>
+        <source>Trust is low: the true values may lie outside the intervals. Look where the residual is large.</source>
+        <translation>Das Vertrauen ist gering: Die wahren Werte können außerhalb der Bereiche liegen. Sehen Sie nach, wo die Differenz groß ist.</translation>
+    </message>
+    <message>
+        <source>Your input disagrees with the measurement: {}.</source>
+        <translation>Ihre Angaben und die Bewegung widersprechen sich bei: {}.</translation>
+    </message>
+    <message>
+        <source>Check that the values are for this tool and position, and the sensor&apos;s calibration. Trust is low.</source>
+        <translation>Entweder gehören die Angaben zu einem anderen Werkzeug oder Ort, oder die Kalibrierung des Sensors stimmt nicht: Das Vertrauen ist gering.</translation>
+    </message>
+    <message>
+        <source>The estimated mass is {:.0f} % off the known one, far outside its interval.</source>
+        <translation>Die bestimmte Masse weicht um {:.0f} % von der bekannten ab, weit außerhalb ihres Bereichs.</translation>
+    </message>
+    <message>
+        <source>Check that the known value is for this tool, and the sensor&apos;s calibration. Trust is low.</source>
+        <translation>Entweder gehört der bekannte Wert zu einem anderen Werkzeug, oder die Kalibrierung des Sensors stimmt nicht: Das Vertrauen ist gering.</translation>
+    </message>
+    <message>
+        <source>Tilt the tool in several directions.</source>
+        <translation>Neigen Sie das Werkzeug in mehrere Richtungen.</translation>
+    </message>
+    <message>
+        <source>Rotate the tool faster, or specify its shape.</source>
+        <translation>Drehen Sie das Werkzeug schneller, oder geben Sie seine Form an.</translation>
+    </message>
+    <message>
+        <source>These values come mainly from your input, not from the motion: {}.</source>
+        <translation>Die Bewegung sagt weniger als Ihre Angaben über: {}. Diese Zahlen sind überwiegend Ihre eigenen.</translation>
+    </message>
+    <message>
+        <source>These values are physically impossible: {}</source>
+        <translation>Kein wirklicher Körper hat diese Zahlen: {}</translation>
+    </message>
+    <message>
+        <source>No position was recorded. The forces fit a rotation about a point {:.2g} m away, so the sensor&apos;s acceleration was taken from that rotation.</source>
+        <translation>Die Kräfte passen zu einem Sensor, der um einen {:.2g} m entfernten Punkt schwingt; seine Beschleunigung wurde daraus genommen statt null.</translation>
+    </message>
+    <message>
+        <source>Contact leaves only {:.1f} s inside the trimmed range, so the free segments at the ends of the recording are used, too.</source>
+        <translation>Der Kontakt lässt im beschnittenen Bereich nur {:.1f} s übrig, deshalb werden auch die freien Teile an den Enden der Aufnahme benutzt.</translation>
+    </message>
+    <message>
+        <source>Use --trim to exclude them.</source>
+        <translation>Mit --trim bleiben sie draußen.</translation>
+    </message>
+    <message>
+        <source>The tool did not move.</source>
+        <translation>Das Werkzeug stand die ganze Zeit still.</translation>
+    </message>
+    <message>
+        <source>Tilt it in several directions: at rest, its weight and the sensor&apos;s bias cannot be separated.</source>
+        <translation>Neigen Sie es in mehrere Richtungen: In Ruhe sehen sein Gewicht und der Nullpunkt des Sensors gleich aus.</translation>
+    </message>
+    <message>
+        <source>Check the shape&apos;s size and position.</source>
+        <translation>Prüfen Sie Größe und Platz der Form.</translation>
+    </message>
+    <message>
+        <source>The shape does not match the measurement: a tool of that shape and position would have caused other forces.</source>
+        <translation>Form und gemessene Bewegung widersprechen sich: Ein Werkzeug dieser Form an diesem Platz hätte den Sensor anders bewegt.</translation>
+    </message>
+    <message>
+        <source>Check its size and position, or remove it.</source>
+        <translation>Prüfen Sie Größe und Platz der Form, oder lassen Sie sie weg.</translation>
+    </message>
+    <message>
+        <source>Check its size and position, or choose &quot;rough&quot;.</source>
+        <translation>Prüfen Sie Größe und Platz der Form, oder wählen Sie „ungefähr“.</translation>
+    </message>
+    <message>
+        <source>The payload weighs {:.3f} kg; the robot is rated for {} kg.</source>
+        <translation>Die Last wiegt {:.3f} kg; der Roboter ist für {} kg gebaut.</translation>
+    </message>
+    <message>
+        <source>An inertia entry is {:.4g} kg m2; set_target_payload accepts at most {} kg m2.</source>
+        <translation>Ein Eintrag der Trägheit ist {:.4g} kg m²; set_target_payload nimmt höchstens {} kg m².</translation>
+    </message>
+    <message>
+        <source>Set it in Desk, or specify it before exporting.</source>
+        <translation>Setzen Sie ihn in Desk, oder geben Sie ihn vor dem Export an.</translation>
+    </message>
+    <message>
+        <source>the format of the profile and the unit of its angles (zeros are written)</source>
+        <translation>die Form des Profils und die Einheit seiner Winkel (es werden Nullen geschrieben)</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s parent link {} is not known to be a flange; it was taken as the flange.</source>
+        <translation>Das Glied {}, an dem der Sensor sitzt, ist nicht als Flansch bekannt und wurde dafür genommen.</translation>
+    </message>
+    <message>
+        <source>If it is not, specify the sensor&apos;s pose on the flange.</source>
+        <translation>Geben Sie die Lage des Sensors am Flansch an, wenn das nicht stimmt.</translation>
+    </message>
+    <message>
+        <source>Record a motion that rotates the tool faster, or specify its shape, before you rely on these values.</source>
+        <translation>Nehmen Sie eine Bewegung auf, die das Werkzeug schneller dreht, oder nennen Sie seine Form, bevor Sie diesen Zahlen trauen.</translation>
+    </message>
+    <message>
+        <source>From the shape or values that you entered, not measured: {}.</source>
+        <translation>Aus Form oder Angaben von Ihnen, nicht gemessen: {}.</translation>
+    </message>
+    <message>
+        <source>Check them before the robot uses them.</source>
+        <translation>Prüfen Sie sie, bevor der Roboter sich darauf verlässt.</translation>
+    </message>
+    <message>
+        <source>The result does not state where the sensor is mounted; the sensor frame was taken as the flange frame.</source>
+        <translation>Das Ergebnis sagt nicht, wo der Sensor sitzt; seine Achsen wurden für die des Flansches genommen.</translation>
+    </message>
+    <message>
+        <source>Specify the sensor&apos;s pose on the flange.</source>
+        <translation>Geben Sie die Lage des Sensors am Flansch an.</translation>
+    </message>
+    <message>
+        <source>The estimate is marked as physically impossible.</source>
+        <translation>Die Bestimmung sagt selbst, dass ihr Ergebnis körperlich nicht möglich ist.</translation>
+    </message>
+    <message>
+        <source>Use the method map, or a longer recording that rotates the tool faster.</source>
+        <translation>Nehmen Sie das Verfahren map, oder eine längere Aufnahme, die das Werkzeug schneller dreht.</translation>
+    </message>
+    <message>
+        <source>The HDF5 file is damaged; only the datasets that could be reached were read.</source>
+        <translation>Die HDF5-Datei ist beschädigt; gelesen wurden die Datensätze, die erreichbar sind.</translation>
+    </message>
+    <message>
+        <source>Write each quantity as a dataset of numbers with one row per sample.</source>
+        <translation>Schreiben Sie jede Größe als Datensatz von Zahlen mit einer Zeile je Messung.</translation>
+    </message>
+    <message>
+        <source>Skipped, since they are not tables of numbers: {}.</source>
+        <translation>Ausgelassen, weil es keine Zahlentabellen sind: {}.</translation>
+    </message>
+    <message>
+        <source>There is no {} beside the recording; defaults are used: wrench of the sensor on the payload, gravity (0, 0, -9.81) m/s2.</source>
+        <translation>Neben der Aufnahme fehlt {}; es gelten die Voreinstellungen: Kraft des Sensors auf die Last, Schwerkraft (0, 0, −9,81) m/s².</translation>
+    </message>
+    <message>
+        <source>The time stamps of {} are on another clock: {:.4f} s were added, based on when its messages arrived.</source>
+        <translation>Die Zeitstempel von {} laufen nach einer anderen Uhr: {:.4f} s wurden addiert, nach der Ankunft der Nachrichten.</translation>
+    </message>
+    <message>
+        <source>{} samples of {} were not in time order and were sorted.</source>
+        <translation>{} Messungen von {} standen nicht in der Reihenfolge ihrer Zeiten und wurden sortiert.</translation>
+    </message>
+    <message>
+        <source>Found by matching the force to the motion; this also removes any delay of the sensor itself.</source>
+        <translation>Gefunden, indem die Kraft der Bewegung folgt; eine Verspätung des Sensors selbst ist damit auch herausgenommen.</translation>
+    </message>
+    <message>
+        <source>At {} of {} times one of the streams has a gap; these were left out.</source>
+        <translation>Zu {} von {} Zeiten hat einer der Ströme eine Lücke; sie wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The poses are those of the flange; the sensor&apos;s poses are derived from its mount.</source>
+        <translation>Die Posen sind die des Flansches; die des Sensors folgen aus seiner Befestigung.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not a label ({} such rows, read as not labelled).</source>
+        <translation>„{}“ ist keine Markierung ({} solche Zeilen, als nicht markiert gelesen).</translation>
+    </message>
+    <message>
+        <source>{} of {} lines are not JSON objects and were left out.</source>
+        <translation>{} von {} Zeilen sind keine JSON-Objekte und wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Estimate the parts before and after separately.</source>
+        <translation>Werten Sie vorher und nachher getrennt aus.</translation>
+    </message>
+    <message>
+        <source>From {:.1f} s on, the tool is again the earlier one of {:.2f} kg.</source>
+        <translation>Ab {:.1f} s ist es wieder das Werkzeug von vorher, mit {:.2f} kg.</translation>
+    </message>
+    <message>
+        <source>{} samples were not usable: not finite, without motion, or with a time that does not increase.</source>
+        <translation>{} Messungen waren nicht brauchbar: nicht endlich, ohne Bewegung, oder mit einer Zeit, die nicht steigt.</translation>
+    </message>
+    <message>
+        <source>{:.1f} s look like contact and were excluded, {:.1f} s were free: trust is low.</source>
+        <translation>{:.1f} s sahen nach Kontakt aus und wurden ausgelassen, {:.1f} s waren frei: Das Vertrauen ist gering.</translation>
+    </message>
+    <message>
+        <source>{}: {} triangles faced the opposite way to their neighbours and were flipped.</source>
+        <translation>{}: {} Dreiecke zeigten anders herum als ihre Nachbarn und wurden gedreht.</translation>
+    </message>
+    <message>
+        <source>{} is inside-out ({} of {} closed pieces); it was flipped.</source>
+        <translation>{} ist umgestülpt ({} von {} geschlossenen Teilen); es wurde gewendet.</translation>
+    </message>
+    <message>
+        <source>{}: {:.0f} % of the volume is counted twice because parts overlap.</source>
+        <translation>{}: {:.0f} % des Volumens zählen doppelt, weil Teile sich überlappen.</translation>
+    </message>
+    <message>
+        <source>Column {} is missing, so the joints are ignored and the sensor&apos;s pose is used.</source>
+        <translation>Spalte {} fehlt, deshalb bleiben die Gelenke beiseite und die Sensorpose wird benutzt.</translation>
+    </message>
+    <message>
+        <source>Column {} is missing, so the sensor&apos;s pose is ignored and the joints are used.</source>
+        <translation>Spalte {} fehlt, deshalb bleibt die Sensorpose beiseite und die Gelenke werden benutzt.</translation>
+    </message>
+    <message>
+        <source>Column {} is missing, so the position is ignored and the joints are used.</source>
+        <translation>Spalte {} fehlt, deshalb bleibt der Ort beiseite und die Gelenke werden benutzt.</translation>
+    </message>
+    <message>
+        <source>A position without an orientation is ignored.</source>
+        <translation>Ein Ort ohne Ausrichtung bleibt beiseite.</translation>
+    </message>
+    <message>
+        <source>The joint velocities do not match the joints one by one and are ignored.</source>
+        <translation>Die Gelenkgeschwindigkeiten passen nicht einzeln zu den Gelenken und bleiben beiseite.</translation>
+    </message>
+    <message>
+        <source>The twist is incomplete or without an orientation and is ignored.</source>
+        <translation>Die Geschwindigkeit des Sensors ist unvollständig oder ohne Ausrichtung und bleibt beiseite.</translation>
+    </message>
+    <message>
+        <source>{} column is kept but not used: {}.</source>
+        <translation>{} Spalte bleibt unbenutzt beiseite: {}.</translation>
+    </message>
+    <message>
+        <source>{} columns are kept but not used: {}{}.</source>
+        <translation>{} Spalten bleiben unbenutzt beiseite: {}{}.</translation>
+    </message>
+    <message>
+        <source>{} missing in {} of {} rows and not used.</source>
+        <translation>{} in {} von {} Zeilen und bleiben beiseite.</translation>
+    </message>
+    <message>
+        <source>The later mark takes precedence; correct their limits.</source>
+        <translation>Die spätere Markierung zählt; berichtigen Sie ihre Grenzen.</translation>
+    </message>
+    <message>
+        <source>The estimated bias then includes the weight in that posture.</source>
+        <translation>Der bestimmte Nullpunkt enthält dann das Gewicht in jener Haltung.</translation>
+    </message>
+    <message>
+        <source>Mass and centre of mass can still be estimated; record at a higher rate for the inertia.</source>
+        <translation>Masse und Schwerpunkt sind trotzdem zu haben; für die Trägheit nehmen Sie schneller auf.</translation>
+    </message>
+    <message>
+        <source>Samples were lost there; the motion is interpolated across the gap.</source>
+        <translation>Dort gingen Messwerte verloren; die Bewegung ist durch Interpolation überbrückt.</translation>
+    </message>
+    <message>
+        <source>The time of the standing poses is missing or does not increase; they are numbered 0, 1, 2, ... instead.</source>
+        <translation>Die Zeit der stehenden Posen fehlt oder steigt nicht; sie sind stattdessen 0, 1, 2, ... nummeriert.</translation>
+    </message>
+    <message>
+        <source>joint &quot;{}&quot; mimics &quot;{}&quot;, which is not another joint</source>
+        <translation>Gelenk „{}“ ahmt „{}“ nach, das kein anderes Gelenk ist.</translation>
+    </message>
+    <message>
+        <source>link &quot;{}&quot; is in a closed loop that is connected to nothing</source>
+        <translation>Glied „{}“ liegt in einem geschlossenen Ring, der an nichts hängt.</translation>
+    </message>
+    <message>
+        <source>All rows were requested.</source>
+        <translation>Alle Zeilen waren verlangt.</translation>
+    </message>
+    <message>
+        <source>No motion from this posture stays within all limits. Bring the joints to mid-range first.</source>
+        <translation>Keine Bewegung aus dieser Haltung hält alle Grenzen ein. Bringen Sie den Arm zuerst in die Mitte seiner Gelenkbereiche.</translation>
+    </message>
+    <message>
+        <source>This motion exceeds the limits from here. Bring the joints to mid-range first.</source>
+        <translation>Diese Bewegung hält von hier aus die Grenzen nicht ein. Bringen Sie den Arm in die Mitte seiner Gelenkbereiche.</translation>
+    </message>
+    <message>
+        <source>Checking individual readings</source>
+        <translation>Einzelne Messwerte werden geprüft</translation>
+    </message>
+    <message>
+        <source>Measuring the improvement on held-out segments</source>
+        <translation>Der Gewinn auf ungesehenen Abschnitten wird gemessen</translation>
+    </message>
+    <message>
+        <source>Testing causes</source>
+        <translation>Ursachen werden ausprobiert</translation>
+    </message>
+    <message>
+        <source>Comparing alternatives</source>
+        <translation>Andere Erklärungen werden verglichen</translation>
+    </message>
+    <message>
+        <source>Running the search on simulated clean recordings</source>
+        <translation>Die Suche wird an simulierten sauberen Aufnahmen erprobt</translation>
+    </message>
+    <message>
+        <source>Only {:.1f} s of the recording can be checked; at least 2 s without contact are needed.</source>
+        <translation>Nur {:.1f} s der Aufnahme lassen sich beurteilen; mindestens 2 s ohne Berührung sind nötig.</translation>
+    </message>
+    <message>
+        <source>Not enough free motion: of {:.1f} s only {:.1f} s are free inside the trimmed range. Check the marks, or lower the trim.</source>
+        <translation>Es bleibt keine freie Bewegung für die Schätzung: Von {:.1f} s berühren im beschnittenen Bereich nur {:.1f} s nichts. Prüfen Sie die Markierungen, oder beschneiden Sie weniger.</translation>
+    </message>
+    <message>
+        <source>There are only {} standing poses; at least 6 with different tilts are needed.</source>
+        <translation>Es gibt nur {} stehende Posen; mindestens 6 in verschiedenen Neigungen sind nötig.</translation>
+    </message>
+    <message>
+        <source>Computing the motion</source>
+        <translation>Die Bewegung wird berechnet</translation>
+    </message>
+    <message>
+        <source>{} is a {} file, which holds no payload; give the --json file of &apos;heft estimate&apos; or the --result file of &apos;heft diagnose&apos;.</source>
+        <translation>{} ist eine {}-Datei, aus der keine Last genommen wird; geben Sie die mit --json geschriebene Datei von „heft estimate“ oder die mit --result geschriebene von „heft diagnose“ an.</translation>
+    </message>
+    <message>
+        <source>this is not a regular file.</source>
+        <translation>das ist keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>Close the file in the recording program before copying it; &quot;h5clear -s FILE&quot; may repair it.</source>
+        <translation>Schließen Sie die Datei im Aufnahmeprogramm, bevor Sie sie kopieren; „h5clear -s DATEI“ kann sie vielleicht retten.</translation>
+    </message>
+    <message>
+        <source>the recording does not fit into memory.</source>
+        <translation>die Aufnahme passt nicht in den Speicher.</translation>
+    </message>
+    <message>
+        <source>it contains nothing that Heft can read.</source>
+        <translation>es ist nichts darin, was Heft lesen kann.</translation>
+    </message>
+    <message>
+        <source>Was the file changed in the meantime?</source>
+        <translation>Wurde die Datei inzwischen geändert?</translation>
+    </message>
+    <message>
+        <source>the clocks of {} and {} have nothing in common, and the data do not show the offset between them.</source>
+        <translation>die Uhren von {} und {} haben nichts gemeinsam, und aus den Daten geht nicht hervor, um wie viel die eine nachgeht.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not a column of a recording.</source>
+        <translation>„{}“ ist keine Spalte einer Aufnahme.</translation>
+    </message>
+    <message>
+        <source>this is not an MCAP file.</source>
+        <translation>das ist keine MCAP-Datei.</translation>
+    </message>
+    <message>
+        <source>Its first eight bytes do not match.</source>
+        <translation>Ihre ersten acht Bytes sind andere.</translation>
+    </message>
+    <message>
+        <source>A bag has the tables topics and messages.</source>
+        <translation>So ein Bag hat die Tabellen topics und messages.</translation>
+    </message>
+    <message>
+        <source>The recorder was probably killed; &apos;rosbag reindex&apos; repairs the bag for other programs.</source>
+        <translation>Die Aufnahme wurde vermutlich hart beendet; „rosbag reindex“ repariert das Bag für andere Programme.</translation>
+    </message>
+    <message>
+        <source>Convert it to format 2.0 with &apos;rosbag fix&apos; first.</source>
+        <translation>Bringen Sie es zuerst mit „rosbag fix“ auf Format 2.0.</translation>
+    </message>
+    <message>
+        <source>the table holds more cells than fit in memory.</source>
+        <translation>die Tabelle enthält mehr Zellen, als in den Speicher passen.</translation>
+    </message>
+    <message>
+        <source>the file holds more numbers than fit in memory.</source>
+        <translation>die Datei enthält mehr Zahlen, als in den Speicher passen.</translation>
+    </message>
+    <message>
+        <source>JSON recordings have one object per line.</source>
+        <translation>JSON-Aufnahmen haben ein Objekt je Zeile.</translation>
+    </message>
+    <message>
+        <source>The connection to {}:{} was lost; reconnecting.</source>
+        <translation>Die Verbindung zu {}:{} ist abgerissen; sie wird wieder versucht.</translation>
+    </message>
+    <message>
+        <source>{} is connected, but no topic with joint states or a wrench is publishing.</source>
+        <translation>{} ist verbunden, aber kein Topic mit Gelenkwinkeln oder Kräften sendet.</translation>
+    </message>
+    <message>
+        <source>{} is connected, but its topics publish nothing.</source>
+        <translation>{} ist verbunden, aber seine Topics senden nichts.</translation>
+    </message>
+    <message>
+        <source>is not an address of this machine</source>
+        <translation>ist keine Adresse dieses Rechners</translation>
+    </message>
+    <message>
+        <source>{} sends nothing. Is RDT enabled on its web page? Is another program using the stream? It serves only one client.</source>
+        <translation>{} sendet nichts. Ist RDT auf seiner Webseite eingeschaltet, und nimmt kein anderes Programm den Datenstrom? Der Sensor bedient nur eines.</translation>
+    </message>
+    <message>
+        <source>{} already exists; a recording never overwrites a file. Choose another name.</source>
+        <translation>{} gibt es schon; eine Aufnahme ersetzt nie eine Datei. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>{} cannot be created: {}.</source>
+        <translation>{} lässt sich nicht anlegen: {}.</translation>
+    </message>
+    <message>
+        <source>{} can no longer be written: {}. What was written so far can be read.</source>
+        <translation>{} lässt sich nicht weiterschreiben: {}. Was da ist, ist lesbar.</translation>
+    </message>
+    <message>
+        <source>cpf and cpt, the counts per newton and per newton metre, must be given together.</source>
+        <translation>cpf und cpt, die Zählschritte je Newton und je Newtonmeter, gehören zusammen.</translation>
+    </message>
+    <message>
+        <source>{}: The mesh cannot be read: its PLY header never ends.</source>
+        <translation>{}: Das Netz lässt sich nicht lesen: Ihm fehlt ein vollständiger PLY-Kopf.</translation>
+    </message>
+    <message>
+        <source>The recording has {} rows; at least {} are needed to compute the motion.</source>
+        <translation>Die Aufnahme hat {} Zeilen; mindestens {} sind nötig, um zu wissen, wie sich das Werkzeug bewegt hat.</translation>
+    </message>
+    <message>
+        <source>The robot &quot;{}&quot; has {} joints; at most 7 are supported.</source>
+        <translation>Der Roboter „{}“ hat {} Gelenke; höchstens 7 können verfolgt werden.</translation>
+    </message>
+    <message>
+        <source>the pose is not a rotation and a translation.</source>
+        <translation>die Pose ist keine Drehung mit Verschiebung.</translation>
+    </message>
+    <message>
+        <source>a tube is hollow already: leave out the wall, or use a cylinder.</source>
+        <translation>ein Rohr ist schon hohl: Lassen Sie die Wand weg, oder nehmen Sie einen Zylinder.</translation>
+    </message>
+    <message>
+        <source>column {} appears twice: also as column {}.</source>
+        <translation>Spalte {} gibt es zweimal: auch als Spalte {}.</translation>
+    </message>
+    <message>
+        <source>{} rows of {} columns exceed the {} million numbers that fit in memory.</source>
+        <translation>{} Zeilen mit {} Spalten sind mehr als die {} Millionen Zahlen, die in den Speicher passen.</translation>
+    </message>
+    <message>
+        <source>it contains no sample.</source>
+        <translation>es gibt keine Messwerte.</translation>
+    </message>
+    <message>
+        <source>A recording starts with a row of column names, followed by one row per sample.</source>
+        <translation>Eine Aufnahme beginnt mit einer Zeile von Spaltennamen, danach kommt je Messwert eine Zeile.</translation>
+    </message>
+    <message>
+        <source>the first line is {} MB long and not a header.</source>
+        <translation>die erste Zeile ist {} MB lang und keine Kopfzeile.</translation>
+    </message>
+    <message>
+        <source>{:.6g} m/s2 is not the gravity of any planet</source>
+        <translation>{:.6g} m/s2 ist auf keinem Planeten die Schwerkraft</translation>
+    </message>
+    <message>
+        <source>a centre of mass {:.6g} m from the sensor is not plausible</source>
+        <translation>ein Schwerpunkt {:.6g} m vom Sensor entfernt kann nicht sein</translation>
+    </message>
+    <message>
+        <source>time decreases from {} s to {} s.</source>
+        <translation>die Zeit fällt von {} s auf {} s.</translation>
+    </message>
+    <message>
+        <source>Time must increase from row to row: split the file there if two recordings were joined, or sort the rows.</source>
+        <translation>Die Zeit muss von Zeile zu Zeile steigen: Teilen Sie die Datei dort, wenn zwei Aufnahmen aneinandergefügt wurden, oder sortieren Sie die Zeilen.</translation>
+    </message>
+    <message>
+        <source>the time increases by {:.6g} s from row to row (median).</source>
+        <translation>die Zeit steigt von Zeile zu Zeile um {:.6g} s (Median).</translation>
+    </message>
+    <message>
+        <source>attribute &quot;{}&quot; appears twice in &lt;{}&gt;.</source>
+        <translation>Attribut „{}“ steht in &lt;{}&gt; zweimal.</translation>
+    </message>
+    <message>
+        <source>{} is not a session of Heft Studio: its &quot;schema&quot; should be &quot;{}{}&quot;.</source>
+        <translation>{} ist keine Sitzung von Heft Studio: &quot;schema&quot; sollte dort &quot;{}{}&quot; sein.</translation>
+    </message>
+    <message>
+        <source>The corrections of this session come from a diagnosis that this version of Heft does not understand; run the reality check again.</source>
+        <translation>Die Berichtigungen dieser Sitzung stammen aus einer Realitätsprüfung, die diese Heft-Version nicht versteht; führen Sie die Realitätsprüfung noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>The difference rises or falls slowly over the whole recording, whatever the motion.</source>
+        <translation>Die Abweichung steigt oder sinkt langsam über die ganze Aufnahme und kümmert sich nicht um die Bewegung.</translation>
+    </message>
+    <message>
+        <source>Shake the tool quickly for ten seconds, two to four times per second.</source>
+        <translation>Das Werkzeug zehn Sekunden lang schnell schütteln, zwei- bis viermal pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>The difference is large where the force changes fast and zero where it is constant; peaks keep their full height.</source>
+        <translation>Die Abweichung ist groß, wo sich die Kraft schnell ändert, und null, wo sie ruht; die Höhe bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Record the raw joint angles at the full rate, without smoothing.</source>
+        <translation>Die reinen Gelenkwinkel mit voller Rate aufnehmen, ohne Glättung.</translation>
+    </message>
+    <message>
+        <source>Turn the tool slowly through large angles: late readings still show then, late accelerations do not.</source>
+        <translation>Das Werkzeug langsam um große Winkel drehen: Verspätete Messwerte zeigen sich auch dann, verspätete Beschleunigungen nicht.</translation>
+    </message>
+    <message>
+        <source>The difference changes sign whenever the motion reverses, at any speed.</source>
+        <translation>Die Abweichung springt auf die andere Seite, sobald die Bewegung umkehrt, bei jedem Tempo.</translation>
+    </message>
+    <message>
+        <source>After each stop the difference keeps oscillating for a while, at a few hertz.</source>
+        <translation>Nach jedem Halt schwingt die Abweichung eine Weile nach, einige Male pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Nothing fits: the simulated curves run opposite to the measured ones.</source>
+        <translation>Nichts passt: Die simulierten Kurven laufen den gemessenen entgegen.</translation>
+    </message>
+    <message>
+        <source>Not needed: the readings show it.</source>
+        <translation>Keine ist nötig: Die Messwerte zeigen es.</translation>
+    </message>
+    <message>
+        <source>Not needed: the time stamps show it.</source>
+        <translation>Keine nötig: Die Zeitstempel zeigen es.</translation>
+    </message>
+    <message>
+        <source>The measured curve rises in steps where the simulated one is smooth.</source>
+        <translation>Die gemessene Kurve steigt in Stufen, wo die simulierte glatt ist.</translation>
+    </message>
+    <message>
+        <source>Orientations are stored inverted: base in sensor instead of sensor in base.</source>
+        <translation>Die Orientierungen sind umgekehrt gespeichert: Basis im Sensor statt Sensor in der Basis.</translation>
+    </message>
+    <message>
+        <source>A cable or hose pulls the tool towards one point: {} N per metre.</source>
+        <translation>Ein Kabel oder Schlauch zieht das Werkzeug zu einer Stelle hin: {} N pro Meter.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s mount is flexible and rings at {} Hz.</source>
+        <translation>Die Montage des Werkzeugs gibt nach und klingt mit {} Hz.</translation>
+    </message>
+    <message>
+        <source>Reverse gravity_m_s2 in the setup file.</source>
+        <translation>Kehren Sie gravity_m_s2 in der Aufbaudatei um.</translation>
+    </message>
+    <message>
+        <source>slow oscillation, {:.1f} to {:.0f} times per second</source>
+        <translation>langsamem Schwingen, {:.1f}- bis {:.0f}-mal in der Sekunde</translation>
+    </message>
+    <message>
+        <source>The tool was never rotated fast enough about {}: rotate it back and forth about that axis, faster.</source>
+        <translation>Das Werkzeug wurde nie schnell genug um {} gedreht: Drehen Sie es um diese Achse hin und her, schneller.</translation>
+    </message>
+    <message>
+        <source>{} is not a setup file.</source>
+        <translation>{} ist keine Aufbaudatei.</translation>
+    </message>
+    <message>
+        <source>the size of the load</source>
+        <translation>der Größe der Last</translation>
+    </message>
+    <message>
+        <source>how fast the rotation changes</source>
+        <translation>dem Wechsel des Drehtempos</translation>
+    </message>
+    <message>
+        <source>{} cannot be written as fast as samples arrive. What was written so far can be read.</source>
+        <translation>{} kann nicht so schnell geschrieben werden, wie Messwerte kommen. Was schon da ist, lässt sich lesen.</translation>
+    </message>
+    <message>
+        <source>Rotational stiffness k</source>
+        <translation>Steifigkeit gegen Drehen k</translation>
+    </message>
+    <message>
+        <source>Rotational drag d</source>
+        <translation>Widerstand gegen Drehen d</translation>
+    </message>
+    <message>
+        <source>Rotational friction M</source>
+        <translation>Reibung gegen Drehen M</translation>
+    </message>
+    <message>
+        <source>Displacement before it slips s</source>
+        <translation>Weg, bis es rutscht s</translation>
+    </message>
+    <message>
+        <source>Time t</source>
+        <translation>Zum Zeitpunkt t</translation>
+    </message>
+    <message>
+        <source>Position from the sensor, {0}</source>
+        <translation>Ort vom Sensor aus, {0}</translation>
+    </message>
+    <message>
+        <source>Tilt about {0}</source>
+        <translation>Gekippt um {0}</translation>
+    </message>
+    <message>
+        <source>Attachment point, {0}</source>
+        <translation>Ort, von dem es zieht, {0}</translation>
+    </message>
+    <message>
+        <source>Rotation about {}</source>
+        <translation>Gedreht um {}</translation>
+    </message>
+    <message>
+        <source>Offset along {}</source>
+        <translation>Verschoben entlang {}</translation>
+    </message>
+    <message>
+        <source>Gain error of {}</source>
+        <translation>Verstärkung daneben, {}</translation>
+    </message>
+    <message>
+        <source>Angle error of joint {}</source>
+        <translation>Winkel daneben, Gelenk {}</translation>
+    </message>
+    <message>
+        <source>this is not a JSON object.</source>
+        <translation>das ist kein JSON-Objekt.</translation>
+    </message>
+    <message>
+        <source>&quot;use&quot; is not an object.</source>
+        <translation>„use“ ist kein Objekt.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; in &quot;use&quot; is not a text.</source>
+        <translation>„{}“ in „use“ ist kein Text.</translation>
+    </message>
+    <message>
+        <source>&quot;scale&quot; is not an object of numbers.</source>
+        <translation>„scale“ ist kein Objekt aus Zahlen.</translation>
+    </message>
+    <message>
+        <source>&quot;offset_s&quot; is not an object of numbers.</source>
+        <translation>„offset_s“ ist kein Objekt aus Zahlen.</translation>
+    </message>
+    <message>
+        <source>&quot;join&quot; is not a list of files.</source>
+        <translation>„join“ ist keine Liste von Dateien.</translation>
+    </message>
+    <message>
+        <source>Shortfall near the range limit, {}</source>
+        <translation>Fehlt nahe dem Ende des Messbereichs, {}</translation>
+    </message>
+    <message>
+        <source>Width of that region, as a share of the range, {}</source>
+        <translation>Welcher Teil des Bereichs das ist, {}</translation>
+    </message>
+    <message>
+        <source>Remembered share</source>
+        <translation>Gemerkter Anteil</translation>
+    </message>
+    <message>
+        <source>Fades after, as a share of the load&apos;s range</source>
+        <translation>Vergessen nach, vom Bereich der Last</translation>
+    </message>
+    <message>
+        <source>Gain of {}, difference between directions</source>
+        <translation>Verstärkung von {}, zu einer Seite mehr</translation>
+    </message>
+    <message>
+        <source>With these causes corrected the payload would change by a quarter or more while something unknown remains, so it was left unchanged.</source>
+        <translation>Ohne diese Ursachen wäre die Last um ein Viertel leichter oder schwerer, während etwas Unbekanntes bleibt; deshalb bleibt sie, wie sie war.</translation>
+    </message>
+    <message>
+        <source>Switch off what runs nearby, such as a fan or a motor, and record again.</source>
+        <translation>Schalten Sie ab, was in der Nähe läuft, etwa einen Lüfter oder Motor, und nehmen Sie noch einmal auf.</translation>
+    </message>
+    <message>
+        <source>The motion was smoothed before it was recorded, by {} ms to either side, so its fast parts are too small.</source>
+        <translation>Die Bewegung wurde vor der Aufnahme geglättet, um {} ms zu beiden Seiten, sodass Schnelles darin zu klein ist.</translation>
+    </message>
+    <message>
+        <source>Swing force at the start along {0}</source>
+        <translation>Kraft der Schwingung am Anfang längs {0}</translation>
+    </message>
+    <message>
+        <source>The same a quarter period later along {0}</source>
+        <translation>Dieselbe eine Viertelschwingung später längs {0}</translation>
+    </message>
+    <message>
+        <source>A cable or hose, fixed at one point and {} mm long when slack, pulls the tool back: {} N per metre.</source>
+        <translation>Ein Kabel oder Schlauch, an einer Stelle befestigt und schlaff {} mm lang, zieht das Werkzeug zurück: {} N je Meter.</translation>
+    </message>
+    <message>
+        <source>Gain error of all forces</source>
+        <translation>Verstärkung aller Kräfte daneben um</translation>
+    </message>
+    <message>
+        <source>Clock drift</source>
+        <translation>Uhren laufen auseinander um</translation>
+    </message>
+    <message>
+        <source>Height of the loop, as a share of the load&apos;s range</source>
+        <translation>Höhe der Schleife, vom Bereich der Last</translation>
+    </message>
+    <message>
+        <source>Gain change of {}</source>
+        <translation>Verstärkung ändert sich, {}</translation>
+    </message>
+    <message>
+        <source>Angle error of joint {}, sine part</source>
+        <translation>Winkel daneben, Gelenk {}, mal seinem Sinus</translation>
+    </message>
+    <message>
+        <source>Angle error of joint {}, cosine part</source>
+        <translation>Winkel daneben, Gelenk {}, mal seinem Kosinus</translation>
+    </message>
+    <message>
+        <source>the motor of joint {:.0f}</source>
+        <translation>dem, was der Motor von Gelenk {:.0f} tut</translation>
+    </message>
+    <message>
+        <source>{} reads exactly {:.4g} {} wherever it is within {:.2g} of that value: {:.0f} % of its readings.</source>
+        <translation>{} zeigt genau {:.4g} {}, wo immer es weniger als {:.2g} davon entfernt wäre: {:.0f} % der Messwerte.</translation>
+    </message>
+    <message>
+        <source>Switch off the threshold or dead band in the sensor&apos;s driver and record again.</source>
+        <translation>Schalten Sie die Schwelle (Totzone) im Treiber des Sensors ab und nehmen Sie noch einmal auf.</translation>
+    </message>
+    <message>
+        <source>{} stays the same in nearly all rows: it was not measured, or a threshold in the sensor&apos;s driver hides small values. Fix that and record again.</source>
+        <translation>{} bleibt in fast allen Zeilen gleich: Der Kanal wurde nicht gemessen, oder eine Schwelle im Treiber des Sensors verbirgt, was klein ist. Beheben Sie das und nehmen Sie noch einmal auf.</translation>
+    </message>
+    <message>
+        <source>Gain change of all channels</source>
+        <translation>Verstärkung aller Kanäle ändert sich um</translation>
+    </message>
+    <message>
+        <source>Quadratic drag d</source>
+        <translation>Widerstand nach dem Quadrat der Geschwindigkeit d</translation>
+    </message>
+    <message>
+        <source>Extra friction at low speed F</source>
+        <translation>Mehr Reibung, solange langsam, F</translation>
+    </message>
+    <message>
+        <source>Speed below which friction rises v</source>
+        <translation>Geschwindigkeit, unter der es mehr reibt, v</translation>
+    </message>
+    <message>
+        <source>Stiffening with stretch h</source>
+        <translation>Wird beim Dehnen steifer um h</translation>
+    </message>
+    <message>
+        <source>A cable or hose, fixed at one point, pulls the tool back: {} N per metre where it starts to stretch, and more the further it stretches.</source>
+        <translation>Ein Kabel oder Schlauch, an einer Stelle befestigt, zieht das Werkzeug zurück: {} N je Meter, wo es sich zu dehnen beginnt, und mehr, je weiter es sich dehnt.</translation>
+    </message>
+    <message>
+        <source>Increasing tilt about {0}</source>
+        <translation>Neigt sich weiter um {0}</translation>
+    </message>
+    <message>
+        <source>Something, such as a bent hose, pushes the tool away from one point: {} N per metre.</source>
+        <translation>Etwas, etwa ein gebogener Schlauch, drückt das Werkzeug von einer Stelle weg: {} N je Meter.</translation>
+    </message>
+    <message>
+        <source>the size of the load, on the forces alone</source>
+        <translation>der Größe der Last, bei den Kräften allein</translation>
+    </message>
+    <message>
+        <source>The reported velocities are averaged over {} ms, so their fast parts are too small; Heft can use the positions instead.</source>
+        <translation>Die gemeldeten Geschwindigkeiten sind Mittelwerte über {} ms, sodass Schnelles darin zu klein ist; Heft kann stattdessen die Positionen nehmen.</translation>
+    </message>
+    <message>
+        <source>{} is not a result of heft diagnose; write one with heft diagnose REC --json FILE.</source>
+        <translation>{} ist kein Ergebnis von heft diagnose; schreiben Sie eines mit heft diagnose REC --json DATEI.</translation>
+    </message>
+    <message>
+        <source>Repeated readings</source>
+        <translation>Erneut ausgegeben</translation>
+    </message>
+    <message>
+        <source>Averaged over T</source>
+        <translation>Mittel über T</translation>
+    </message>
+    <message>
+        <source>{} segments, {:.1f} s in total, were excluded: something acts there, too weak to distinguish contact from other effects.</source>
+        <translation>{} Abschnitte, zusammen {:.1f} s, blieben außen vor: Dort wirkt etwas, das zu schwach ist, um eine Berührung von etwas anderem zu unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Record the motion again and keep clear of everything.</source>
+        <translation>Nehmen Sie die Bewegung noch einmal auf und halten Sie dabei von allem Abstand.</translation>
+    </message>
+    <message>
+        <source>A segment of {:.1f} s was excluded: something acts there, too weak to distinguish contact from other effects.</source>
+        <translation>Ein Abschnitt von {:.1f} s blieb außen vor: Dort wirkt etwas, das zu schwach ist, um eine Berührung von etwas anderem zu unterscheiden.</translation>
+    </message>
+    <message>
+        <source>External blows, number</source>
+        <translation>Von außen angestoßen, Male</translation>
+    </message>
+    <message>
+        <source>Something struck the tool or the ground, first at {:.1f} s: the motion alone would not cause such strong ringing.</source>
+        <translation>Etwas hat das Werkzeug oder den Boden angestoßen, zuerst bei {:.1f} s: Die Bewegung allein bringt nichts so stark zum Schwingen.</translation>
+    </message>
+    <message>
+        <source>Find out what knocks, and record again without it.</source>
+        <translation>Finden Sie heraus, was da anstößt, und nehmen Sie ohne das noch einmal auf.</translation>
+    </message>
+    <message>
+        <source>Something that carries the tool is flexible and rings at {} Hz when it is struck: its mount, or the robot&apos;s pedestal.</source>
+        <translation>Etwas, das das Werkzeug trägt, gibt nach und schwingt mit {} Hz, wenn es angestoßen wird: seine Befestigung oder das, worauf der Roboter steht.</translation>
+    </message>
+    <message>
+        <source>Tap the tool, then the robot&apos;s pedestal: which of them rings at this frequency? Tighten its screws.</source>
+        <translation>Klopfen Sie an das Werkzeug, dann an das, worauf der Roboter steht: Was davon klingt in dieser Tonhöhe? Ziehen Sie dort die Schrauben nach.</translation>
+    </message>
+    <message>
+        <source>From {:.1f} to {:.1f} s the zero or the load was different again; that segment was excluded.</source>
+        <translation>Von {:.1f} bis {:.1f} s war der Nullpunkt oder die Last noch einmal anders; dieser Abschnitt blieb außen vor.</translation>
+    </message>
+    <message>
+        <source>The positions were smoothed before they were recorded, by {} ms to either side, so their fast parts are too small.</source>
+        <translation>Die Positionen wurden vor der Aufzeichnung um {} ms zu beiden Seiten geglättet, sodass Schnelles in ihnen zu klein ist.</translation>
+    </message>
+    <message>
+        <source>Nearly all readings of {} are one value. They show nothing of the payload, so the channel is not used.</source>
+        <translation>Kaum ein Messwert von {} verlässt einen Wert: das sagt nichts über die Last und wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; would explain some of the misfit, but it is so small that Heft&apos;s own smoothing of the motion may cause as much. It is not reported.</source>
+        <translation>„{}“ würde einen Teil der Abweichung erklären, ist aber so klein, dass unsere eigene Glättung der Bewegung ebenso viel übrig lassen kann. Es wird nicht genannt.</translation>
+    </message>
+    <message>
+        <source>No action is needed: the estimate accounts for it.</source>
+        <translation>Es ist nichts zu tun: die Last berücksichtigt es.</translation>
+    </message>
+    <message>
+        <source>The motion was smoothed to {:.0f} Hz, since above that its accelerations are noisier than the sensor; faster effects cannot be checked.</source>
+        <translation>Die Bewegung wurde auf {:.0f} Hz geglättet, weil ihre Beschleunigungen darüber stärker rauschen als der Sensor; was schneller ist, lässt sich nicht beurteilen.</translation>
+    </message>
+    <message>
+        <source>It acts straight up: does the robot or the sensor&apos;s driver already subtract a tool&apos;s weight? If not: does a balancer or a hose carry part of it?</source>
+        <translation>Es zieht genau nach oben: Zieht der Roboter oder der Treiber des Sensors das Gewicht eines Werkzeugs schon ab? Wenn nicht: Trägt ein Balancer oder ein Schlauch einen Teil davon?</translation>
+    </message>
+    <message>
+        <source>State only one of them.</source>
+        <translation>Geben Sie nur eines davon an.</translation>
+    </message>
+    <message>
+        <source>&quot;sensor&quot; is not an object.</source>
+        <translation>„sensor“ ist kein Objekt.</translation>
+    </message>
+    <message>
+        <source>vx, vy, vz, wx, wy, wz are not used: the pose is the base&apos;s in the sensor, and the reference point and axes of the velocities are not stated.</source>
+        <translation>vx, vy, vz, wx, wy, wz bleiben unbenutzt: Die Pose ist die des Sockels im Sensor, und zu welchem Punkt und welchen Achsen die Geschwindigkeiten gehören, ist nicht gesagt.</translation>
+    </message>
+    <message>
+        <source>Angles that wrap around: whole turns were removed from {}.</source>
+        <translation>Winkel, die umspringen: Ganze Umdrehungen wurden herausgenommen aus {}.</translation>
+    </message>
+    <message>
+        <source>Recording {} is not reliable, so neither are the numbers from all of them.</source>
+        <translation>Aufnahme {} ist nicht verlässlich, und damit auch nicht die Zahlen aus allen.</translation>
+    </message>
+    <message>
+        <source>Specify its shape, or record a motion that rotates the tool faster.</source>
+        <translation>Geben Sie seine Form an, oder nehmen Sie eine Bewegung auf, die das Werkzeug schneller dreht.</translation>
+    </message>
+    <message>
+        <source>With this interpretation the model misses {:.0f} % of the force and {:.0f} % of the torque that the motion causes; as stated it misses {:.0f} % and {:.0f} %.</source>
+        <translation>So gelesen verfehlt das Modell {:.0f} % dessen, was die Bewegung aus der Kraft macht, und {:.0f} % beim Moment; wie angegeben verfehlt es {:.0f} % und {:.0f} %.</translation>
+    </message>
+    <message>
+        <source>Fits equally well: {}</source>
+        <translation>Ebenso gut passt: {}</translation>
+    </message>
+    <message>
+        <source>On held-out segments a rigid tool misses {:.0f} % of the force and {:.0f} % of the torque that the motion causes.</source>
+        <translation>Auf Teilen, an die nicht angepasst wurde, verfehlt ein starres Werkzeug {:.0f} % dessen, was die Bewegung aus der Kraft macht, und {:.0f} % beim Moment.</translation>
+    </message>
+    <message>
+        <source>The readings were interpreted differently from what is stated.</source>
+        <translation>Die Messwerte wurden anders verstanden als angegeben.</translation>
+    </message>
+    <message>
+        <source>The numbers in {} are not reliable, so no payload is written from them: see its findings first.</source>
+        <translation>{} sagt, dass seinen Zahlen nicht zu trauen ist; deshalb wird daraus keine Last geschrieben: Sehen Sie sich zuerst die Befunde an.</translation>
+    </message>
+    <message>
+        <source>The estimate&apos;s own findings say that its numbers are not reliable.</source>
+        <translation>Die Schätzung selbst sagt, dass ihren Zahlen nicht zu trauen ist.</translation>
+    </message>
+    <message>
+        <source>Read its findings before the robot uses them.</source>
+        <translation>Sehen Sie sich ihre Befunde an, bevor der Roboter sich darauf verlässt.</translation>
+    </message>
+    <message>
+        <source>The evidence is weak: another interpretation fits nearly as well. {}</source>
+        <translation>Der Beleg ist schwach: Fast ebenso gut passt eine andere Lesart. {}</translation>
+    </message>
+    <message>
+        <source>It was changed during the recording; this is the value set for longest.</source>
+        <translation>Während der Aufnahme wurde er neu eingestellt; dies galt am längsten.</translation>
+    </message>
+    <message>
+        <source>Use the name that it has on your robot.</source>
+        <translation>Schreiben Sie den Namen hin, den es an Ihrem Roboter hat.</translation>
+    </message>
+    <message>
+        <source>The link &quot;{}&quot; weighed {} kg in the URDF; the payload replaces it.</source>
+        <translation>Das Glied „{}“ wog in der URDF {} kg; die Last tritt an diese Stelle.</translation>
+    </message>
+    <message>
+        <source>{}: several publishers send on this topic ({}); the arm&apos;s joints are used.</source>
+        <translation>{}: Auf diesem Topic senden mehrere ({}); genommen werden die Gelenke des Arms.</translation>
+    </message>
+    <message>
+        <source>The velocities of {} are not numbers; they were ignored and the joint angles differentiated.</source>
+        <translation>Die Geschwindigkeiten von {} sind keine Zahlen; sie wurden weggelassen und die Gelenkwinkel abgeleitet.</translation>
+    </message>
+    <message>
+        <source>{}:{} does not answer as RTDE. Is it a Universal Robots controller, and is RTDE enabled in its security settings?</source>
+        <translation>{}:{} antwortet nicht wie RTDE. Ist es eine Steuerung von Universal Robots, und ist RTDE in ihren Sicherheitseinstellungen erlaubt?</translation>
+    </message>
+    <message>
+        <source>This controller does not send ft_raw_wrench (e-Series do from 5.9 on), and its actual_TCP_force already has the payload subtracted: the wrench must come from a separate sensor.</source>
+        <translation>Diese Steuerung sendet ft_raw_wrench nicht (e-Series ab 5.9 tun das), und aus actual_TCP_force hat sie die Last schon herausgerechnet: Kraft und Drehmoment müssen von einem eigenen Sensor kommen.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not a live source. Sources are rtde:HOST[:PORT], rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:FILE and virtual:SEED.</source>
+        <translation>„{}“ ist keine Live-Quelle. Quellen sind rtde:HOST[:PORT], rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:DATEI und virtual:SEED.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not a robot that Heft knows.</source>
+        <translation>„{}“ ist kein Roboter, den Heft kennt.</translation>
+    </message>
+    <message>
+        <source>{} by {:.2g} N (sensor noise: {:.2g} N)</source>
+        <translation>{} um {:.2g} N (der Sensor selbst streut um {:.2g} N)</translation>
+    </message>
+    <message>
+        <source>{} by {:.2g} N m (sensor noise: {:.2g} N m)</source>
+        <translation>{} um {:.2g} N m (der Sensor selbst streut um {:.2g} N m)</translation>
+    </message>
+    <message>
+        <source>On held-out segments the model misses {}: something other than a rigid tool affects the readings (contact, drift, delay, a cable, a poorly calibrated sensor).</source>
+        <translation>Auf Strecken, die nicht zur Anpassung dienten, verfehlt das Modell {}: Etwas anderes als ein starres Werkzeug wirkt mit (Berührung, Drift, Verzögerung, ein Kabel, ein schlecht kalibrierter Sensor).</translation>
+    </message>
+    <message>
+        <source>More than half of the readings of {} are clipped at the end of the sensor&apos;s range, so the channel is not used.</source>
+        <translation>Mehr als die Hälfte der Messwerte von {} ist am Ende des Messbereichs abgeschnitten; der Kanal wird deshalb nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>The samples&apos; time stamps jitter by {:.2g} ms at steps of {:.2g} ms: no accelerations can be computed from such a motion.</source>
+        <translation>Die Zeitstempel der Messwerte schwanken um {:.2g} ms bei Schritten von {:.2g} ms: Aus einer solchen Bewegung lassen sich keine Beschleunigungen gewinnen.</translation>
+    </message>
+    <message>
+        <source>{} and {} more segments, {:.2g} s in total</source>
+        <translation>{} und {} weitere Strecken, zusammen {:.2g} s</translation>
+    </message>
+    <message>
+        <source>It is excluded; mark it as free to use it.</source>
+        <translation>Was dort steht, wird ausgelassen; markieren Sie es als frei, um es zu verwenden.</translation>
+    </message>
+    <message>
+        <source>The shape contradicts the measured motion by {:.0f} standard deviations, so it was not used: the numbers come from the motion alone.</source>
+        <translation>Die Form widerspricht der gemessenen Bewegung um {:.0f} Standardabweichungen und wurde deshalb weggelassen: Die Zahlen kommen allein aus der Bewegung.</translation>
+    </message>
+    <message>
+        <source>Times count from 0 at the stated rate, {:g} Hz.</source>
+        <translation>Die Zeiten zählen ab 0 mit der genannten Rate, {:g} Hz.</translation>
+    </message>
+    <message>
+        <source>The link /{} is broken.</source>
+        <translation>Der Verweis /{} ist unterbrochen.</translation>
+    </message>
+    <message>
+        <source>Copy the file that it refers to beside this one.</source>
+        <translation>Kopieren Sie die Datei, die er nennt, neben diese.</translation>
+    </message>
+    <message>
+        <source>{} missing in {} of {} samples and not used.</source>
+        <translation>{} in {} von {} Werten nicht vorhanden und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>The time stamps of {} restart in the middle; the recorder&apos;s times are used for all.</source>
+        <translation>Die Zeitstempel von {} beginnen mittendrin von vorn; für alle gelten die Zeiten des Aufzeichners.</translation>
+    </message>
+    <message>
+        <source>the times of {} decrease from {:.4f} s to {:.4f} s at sample {}, overlapping earlier samples: two recordings, or two clocks.</source>
+        <translation>die Zeiten von {} fallen von {:.4f} s auf {:.4f} s bei Wert {}, über schon Vorhandenes: zwei Aufnahmen oder zwei Uhren.</translation>
+    </message>
+    <message>
+        <source>the offset of {} is {:g} s, more than the {:g} s (63 years) that clocks can differ by.</source>
+        <translation>der Versatz von {} beträgt {:g} s, mehr als die {:g} s (63 Jahre), um die Uhren sich unterscheiden können.</translation>
+    </message>
+    <message>
+        <source>Offsets are in seconds, even where the file counts in ms or ns.</source>
+        <translation>Versätze sind in Sekunden, auch wenn die Datei in ms oder ns zählt.</translation>
+    </message>
+    <message>
+        <source>&quot;rate_hz&quot; is not a rate above 0.</source>
+        <translation>„rate_hz“ ist keine Rate über 0.</translation>
+    </message>
+    <message>
+        <source>Save each quantity as a matrix of numbers with one row per sample.</source>
+        <translation>Speichern Sie jede Größe als Matrix von Zahlen mit einer Zeile je Wert.</translation>
+    </message>
+    <message>
+        <source>Save each quantity as an array of numbers with one row per sample.</source>
+        <translation>Speichern Sie jede Größe als Feld von Zahlen mit einer Zeile je Wert.</translation>
+    </message>
+    <message>
+        <source>The first row looks like data, not like names; judging by the numbers, the columns are taken to be {}.</source>
+        <translation>Die erste Zeile sieht nach Daten aus, nicht nach Namen; nach den Zahlen werden die Spalten für {} gehalten.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; in column time is not a number of seconds.</source>
+        <translation>„{}“ in Spalte time ist keine Zahl von Sekunden.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s mount flexes (flexible mount)</source>
+        <translation>Montage gibt nach (weiche Halterung)</translation>
+    </message>
+    <message>
+        <source>From some point on there is a residual that rotates with the tool, like a weight.</source>
+        <translation>Von einem Augenblick an gibt es eine Abweichung, die sich mit dem Werkzeug dreht, wie ein Gewicht.</translation>
+    </message>
+    <message>
+        <source>Several wrenches are possible; {} was used, since the motion explains {:.0f} % of its force, and {:.0f} % of that of {}.</source>
+        <translation>Mehrere Kräfte kommen in Frage; genommen wurde {}, denn die Bewegung erklärt {:.0f} % ihrer Kraft, und {:.0f} % der von {}.</translation>
+    </message>
+    <message>
+        <source>Several wrenches are possible; {} was used, and it could also be {}.</source>
+        <translation>Mehrere Kräfte kommen in Frage; genommen wurde {}, es könnte auch {} sein.</translation>
+    </message>
+    <message>
+        <source>{} already exists and was not overwritten.</source>
+        <translation>{} gibt es schon; die Datei wurde nicht ersetzt.</translation>
+    </message>
+    <message>
+        <source>{} was deleted while it was being written.</source>
+        <translation>{} wurde gelöscht, während die Datei geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>The log repeats each wrench for {:.0f} ms; each was used once, with the motion at the time it arrived.</source>
+        <translation>Das Protokoll wiederholt jeden Messwert des Sensors {:.0f} ms lang; jeder wurde einmal verwendet, mit der Bewegung des Augenblicks, in dem er kam.</translation>
+    </message>
+    <message>
+        <source>judging by its name, it is not on the tool</source>
+        <translation>sein Name sagt, dass er nicht am Werkzeug sitzt</translation>
+    </message>
+    <message>
+        <source>it is on another clock</source>
+        <translation>er hat eine andere Uhr</translation>
+    </message>
+    <message>
+        <source>its times restart in the middle</source>
+        <translation>seine Zeiten beginnen in der Mitte von vorn</translation>
+    </message>
+    <message>
+        <source>it has too few samples</source>
+        <translation>er hat kaum Werte</translation>
+    </message>
+    <message>
+        <source>The accelerometer was not used: {}.</source>
+        <translation>Der Beschleunigungssensor wurde beiseite gelassen: {}.</translation>
+    </message>
+    <message>
+        <source>The accelerometer&apos;s times were shifted by {:.4f} s, where it matches the force best.</source>
+        <translation>Die Zeiten des Beschleunigungssensors wurden um {:.4f} s verschoben; so folgt ihm die Kraft am besten.</translation>
+    </message>
+    <message>
+        <source>Is it on the tool side of the sensor, and does it read specific force, gravity included?</source>
+        <translation>Sitzt er auf der Werkzeugseite des Sensors, und misst er samt Schwerkraft?</translation>
+    </message>
+    <message>
+        <source>The accelerometer differs from the motion by {:.2g} m/s2 rms, wherever it is mounted: the tool accelerated differently from what the joints or poses say.</source>
+        <translation>Der Beschleunigungssensor weicht um {:.2g} m/s2 eff. von der Bewegung ab, wo immer er sitzt: das Werkzeug wurde anders beschleunigt, als Gelenke oder Posen sagen.</translation>
+    </message>
+    <message>
+        <source>Check the direction of gravity, the clocks, and whether something between arm and tool is loose.</source>
+        <translation>Prüfen Sie die Richtung der Schwerkraft, die Uhren, und ob zwischen Arm und Werkzeug etwas nachgibt.</translation>
+    </message>
+    <message>
+        <source>The accelerometer lacks an axis and is ignored.</source>
+        <translation>Dem Beschleunigungssensor fehlt eine Achse; er bleibt beiseite.</translation>
+    </message>
+    <message>
+        <source>The gyroscope lacks an axis and is ignored.</source>
+        <translation>Dem Drehratensensor fehlt eine Achse; er bleibt beiseite.</translation>
+    </message>
+    <message>
+        <source>The accelerometer reads {:.3g} most of the time, neither 9.81 m/s2 nor 1 g, and is not used: gravity was removed from it, or it is not an accelerometer.</source>
+        <translation>Der Beschleunigungssensor zeigt meist {:.3g}, weder 9.81 m/s2 noch 1 g, und bleibt beiseite: die Schwerkraft wurde herausgerechnet, oder er ist keiner.</translation>
+    </message>
+    <message>
+        <source>The model fits: only sensor noise and a slow drift of its zero remain.</source>
+        <translation>Das Modell passt: Es bleiben nur das Rauschen des Sensors und sein Nullpunkt, der langsam wandert.</translation>
+    </message>
+    <message>
+        <source>The model fits: only sensor noise remains.</source>
+        <translation>Das Modell passt: Es bleibt nur das Rauschen des Sensors.</translation>
+    </message>
+    <message>
+        <source>Guide the tool for ten seconds and tilt it in all directions without touching anything.</source>
+        <translation>Führen Sie das Werkzeug zehn Sekunden lang und kippen Sie es nach allen Seiten, ohne etwas zu berühren.</translation>
+    </message>
+    <message>
+        <source>PASS. With this payload subtracted, only sensor noise remains.</source>
+        <translation>BESTANDEN. Zieht man diese Last ab, bleibt nur das Rauschen des Sensors.</translation>
+    </message>
+    <message>
+        <source>The sensor position differs by {:.2f} mm between {} and {}.</source>
+        <translation>Der Sensor sitzt um {:.2f} mm versetzt in {} und {}.</translation>
+    </message>
+    <message>
+        <source>{} is not reliable, so neither are the object&apos;s numbers.</source>
+        <translation>{} verdient wenig Vertrauen, und damit auch die Zahlen des Gegenstands.</translation>
+    </message>
+    <message>
+        <source>Estimate it separately and look at its findings.</source>
+        <translation>Schätzen Sie sie für sich und sehen Sie die Hinweise an.</translation>
+    </message>
+    <message>
+        <source>Swap the two recordings, or check that both are of the same tool.</source>
+        <translation>Vertauschen Sie die beiden Aufnahmen, oder prüfen Sie, ob beide vom selben Werkzeug sind.</translation>
+    </message>
+    <message>
+        <source>{} is not a result of a diagnosis; make one with heft diagnose REC --json FILE.</source>
+        <translation>{} ist kein Ergebnis einer Diagnose; machen Sie eines mit heft diagnose REC --json DATEI.</translation>
+    </message>
+    <message>
+        <source>It is about what the file&apos;s numbers mean, not about the setup.</source>
+        <translation>Es geht darum, was die Zahlen der Datei bedeuten, nicht um den Aufbau.</translation>
+    </message>
+    <message>
+        <source>This recording determines the orientation of the sensor or the robot&apos;s base only to +- {:.1f} degrees. That alone may shift the centre of mass by {:.0f} mm.</source>
+        <translation>Diese Aufnahme zeigt nur auf +- {:.1f} Grad, wie der Sensor oder der Sockel des Roboters gedreht ist. Allein das kann den Schwerpunkt um {:.0f} mm verschieben.</translation>
+    </message>
+    <message>
+        <source>State the mount and gravity in the setup file, or record a motion that tilts and rotates the tool more.</source>
+        <translation>Geben Sie Einbaulage und Schwerkraft in der Aufbaudatei an, oder nehmen Sie eine Bewegung auf, die das Werkzeug stärker neigt und dreht.</translation>
+    </message>
+    <message>
+        <source>Computing detection limits</source>
+        <translation>Nachweisgrenzen werden berechnet</translation>
+    </message>
+    <message>
+        <source>The arm&apos;s bodies cannot be read, so motions are not checked against the arm itself: {}</source>
+        <translation>Die Körper des Arms lassen sich nicht lesen; Bewegungen werden deshalb nicht gegen den Arm selbst geprüft: {}</translation>
+    </message>
+    <message>
+        <source>No motion from this posture stays clear of everything: {} Move the arm to where there is more room.</source>
+        <translation>Keine Bewegung aus dieser Stellung bleibt von allem frei: {} Bringen Sie den Arm dorthin, wo mehr Platz ist.</translation>
+    </message>
+    <message>
+        <source>The taught path leaves no room for added sine motions, even where it is free: {}</source>
+        <translation>Schon der gelehrte Weg lässt in seinen freien Teilen keinen Platz für Sinusbewegungen: {}</translation>
+    </message>
+    <message>
+        <source>Not checked against each other, since they are just as close in the home posture: {}.</source>
+        <translation>Nicht gegeneinander geprüft, da sie einander schon in der Grundstellung so nahe sind: {}.</translation>
+    </message>
+    <message>
+        <source>There are no points to build a hull from.</source>
+        <translation>Es gibt keinen Punkt, um den sich eine Hülle legen ließe.</translation>
+    </message>
+    <message>
+        <source>{} is not an object.</source>
+        <translation>{} ist kein Objekt.</translation>
+    </message>
+    <message>
+        <source>{}: the normal vector is zero.</source>
+        <translation>{}: Die Normale hat keine Richtung.</translation>
+    </message>
+    <message>
+        <source>{}: the edges of a box must be above zero.</source>
+        <translation>{}: Die Kanten eines Quaders sind größer als null.</translation>
+    </message>
+    <message>
+        <source>{} is not a room: expected {{&quot;schema&quot;: &quot;heft.room/1&quot;, &quot;obstacles&quot;: [...]}}.</source>
+        <translation>{} ist kein Raum: erwartet wird {{&quot;schema&quot;: &quot;heft.room/1&quot;, &quot;obstacles&quot;: [...]}}.</translation>
+    </message>
+    <message>
+        <source>it is pressed with less than {:.0f} N</source>
+        <translation>es drückt mit weniger als {:.0f} N</translation>
+    </message>
+    <message>
+        <source>the direction of the force varies by {:.0f} degrees</source>
+        <translation>die Richtung der Kraft schwankt um {:.0f} Grad</translation>
+    </message>
+    <message>
+        <source>{}: nothing was picked up or put down in it. Give two recordings instead, one with the object and one without.</source>
+        <translation>{}: Darin wurde nichts aufgenommen oder abgelegt. Geben Sie stattdessen zwei Aufnahmen an, eine mit dem Gegenstand und eine ohne.</translation>
+    </message>
+    <message>
+        <source>From another tool: by itself it gives {:.3f} kg, the others give {:.3f} kg.</source>
+        <translation>Von einem anderen Werkzeug: Für sich ergibt sie {:.3f} kg, die anderen ergeben {:.3f} kg.</translation>
+    </message>
+    <message>
+        <source>{} rows have no {} and were left out.</source>
+        <translation>{} Zeilen haben kein {} und wurden beiseitegelassen.</translation>
+    </message>
+    <message>
+        <source>The accelerometer reports gravity instead of specific force (at rest it points down); its signs were inverted.</source>
+        <translation>Der Beschleunigungssensor meldet die Schwerkraft anstelle dessen, was er spürt (in Ruhe zeigt er nach unten); seine Vorzeichen wurden umgekehrt.</translation>
+    </message>
+    <message>
+        <source>{} This is not attributed to the setup: Heft aligned the two clocks from the data, to within {:.1f} ms.</source>
+        <translation>{} Das wird nicht dem Aufbau zugeschrieben: Heft hat die beiden Uhren anhand der Daten zusammengebracht, auf {:.1f} ms genau.</translation>
+    </message>
+    <message>
+        <source>judging by its name, it does not move</source>
+        <translation>ihrem Namen nach bewegt sie sich nicht</translation>
+    </message>
+    <message>
+        <source>libfranka&apos;s end-effector pose, a matrix by columns</source>
+        <translation>Pose des Endeffektors nach libfranka, eine Matrix nach Spalten</translation>
+    </message>
+    <message>
+        <source>{} is not a passport: its &quot;schema&quot; should be &quot;{}&quot;.</source>
+        <translation>{} ist kein Pass: „schema“ sollte „{}“ sein.</translation>
+    </message>
+    <message>
+        <source>{}: mass, centre of mass or inertia is missing or holds something that is not a number.</source>
+        <translation>{}: Masse, Schwerpunkt oder Trägheit fehlt oder enthält etwas, das keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>{} is not a lesson: its &quot;schema&quot; should be &quot;{}&quot;.</source>
+        <translation>{} ist keine Lektion: „schema“ sollte „{}“ sein.</translation>
+    </message>
+    <message>
+        <source>Something else affects the readings, too. The reference point of the torque, and the centre of mass with it, may be off by as much as {:.0f} mm.</source>
+        <translation>In den Messwerten steckt noch etwas anderes. Der Bezugspunkt des Drehmoments und mit ihm der Schwerpunkt können um bis zu {:.0f} mm falsch sein.</translation>
+    </message>
+    <message>
+        <source>This recording determines the reference point of the torque, and with it the centre of mass, only to +- {:.0f} mm.</source>
+        <translation>Diese Aufnahme zeigt den Bezugspunkt des Drehmoments nur auf +- {:.0f} mm genau, und den Schwerpunkt ebenso.</translation>
+    </message>
+    <message>
+        <source>Measure from the flange to the sensor&apos;s origin and compare with the setup file. If that is right, the torque refers to another point: state wrench_point.</source>
+        <translation>Messen Sie vom Flansch zum Ursprung des Sensors und vergleichen Sie mit der Aufbaudatei. Stimmt das Maß, bezieht sich das Drehmoment auf einen anderen Punkt: Geben Sie wrench_point an.</translation>
+    </message>
+    <message>
+        <source>Joint {} would need {:.1f} N m of the allowed {:.1f} N m, {:.1f} s into the motion.</source>
+        <translation>Gelenk {} bräuchte {:.1f} von {:.1f} N m, die es aufbringen darf, {:.1f} s nach Beginn der Bewegung.</translation>
+    </message>
+    <message>
+        <source>{} is not a result of an estimate; make one with heft estimate REC --json FILE.</source>
+        <translation>{} ist kein Ergebnis einer Schätzung; erzeugen Sie eines mit heft estimate REC --json DATEI.</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>The numbers are corrected for it.</source>
+        <translation>Sie ist aus den Zahlen herausgerechnet.</translation>
+    </message>
+    <message>
+        <source>The numbers are not corrected for it.</source>
+        <translation>Sie ist nicht aus den Zahlen herausgerechnet.</translation>
+    </message>
+    <message>
+        <source>Not detectable in this recording: {}.</source>
+        <translation>In dieser Aufnahme nicht erkennbar: {}.</translation>
+    </message>
+    <message>
+        <source>The sensor’s mount is stated differently, so only the mass is compared.</source>
+        <translation>Der Anbau des Sensors ist anders angegeben, daher wird nur die Masse verglichen.</translation>
+    </message>
+    <message>
+        <source>These numbers are not reliable; see the result’s warnings.</source>
+        <translation>Diese Zahlen sind nicht verlässlich; siehe die Warnungen des Ergebnisses.</translation>
+    </message>
+    <message>
+        <source>Residual in free motion: {} N and {}; sensor noise: {} N and {}.</source>
+        <translation>Rest in freier Bewegung: {} N und {}; Rauschen des Sensors: {} N und {}.</translation>
+    </message>
+    <message>
+        <source>An error of {} or {} would have been detected.</source>
+        <translation>Ein Fehler von {} oder {} wäre aufgefallen.</translation>
+    </message>
+    <message>
+        <source>PASS: with these numbers subtracted, only sensor noise remains.</source>
+        <translation>BESTANDEN: Ohne diese Last bleibt nur das Rauschen des Sensors.</translation>
+    </message>
+    <message>
+        <source>Visit poses with very different angles of the other joints, elbow high and low. No motion distinguishes a wrong zero of the last joint from a sensor rotated about its axis: check the robot.</source>
+        <translation>Lagen aufsuchen, in denen die anderen Gelenke ganz anders stehen, Ellbogen hoch und tief. Eine falsche Nullstellung des letzten Gelenks unterscheidet keine Bewegung von einem um seine Achse verdrehten Sensor: Sehen Sie am Aufbau nach.</translation>
+    </message>
+    <message>
+        <source>Turn the last joint by half a turn and hold, then tilt the tool. No motion distinguishes a sensor rotated about the last joint&apos;s axis from a wrong zero of that joint: check the robot.</source>
+        <translation>Das letzte Gelenk um eine halbe Drehung drehen und halten, dann das Werkzeug kippen. Einen um die Achse des letzten Gelenks verdrehten Sensor unterscheidet keine Bewegung von einer falschen Nullstellung dieses Gelenks: Sehen Sie am Aufbau nach.</translation>
+    </message>
+    <message>
+        <source>The tool changed at {:.1f} s: {:.2f} kg became {:.2f} kg. The estimate restarts with what came after.</source>
+        <translation>Das Werkzeug wechselte bei {:.1f} s: Aus {:.2f} kg wurden {:.2f} kg. Die Schätzung beginnt mit dem, was danach kam, von vorn.</translation>
+    </message>
 </context>
 <context>
     <name>heft::CarriedObjects</name>
-    <message>
-        <source>That is the recording with the object itself: choose one without it.</source>
-        <translation>Das ist die Aufnahme mit dem Gegenstand selbst: Wählen Sie eine ohne ihn.</translation>
-    </message>
     <message>
         <source>Open the recording with the object first.</source>
         <translation>Öffnen Sie zuerst die Aufnahme mit dem Gegenstand.</translation>
     </message>
     <message>
-        <source>Finding what is carried</source>
+        <source>This is the recording with the object itself. Choose one without it.</source>
+        <translation>Das ist die Aufnahme mit dem Gegenstand selbst: Wählen Sie eine ohne ihn.</translation>
+    </message>
+    <message>
+        <source>Estimating what is carried</source>
         <translation>Was getragen wird, wird gesucht</translation>
     </message>
 </context>
@@ -9459,183 +9617,35 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Konventionen der Zahlen</translation>
     </message>
     <message>
-        <source>Axes, signs, units and orders, where they are not the usual ones</source>
-        <translation>Achsen, Vorzeichen, Einheiten und Reihenfolgen, wo sie nicht die üblichen sind</translation>
-    </message>
-    <message>
         <source>Force and torque</source>
         <translation>Kraft und Moment</translation>
-    </message>
-    <message>
-        <source>Along the axes of</source>
-        <translation>Entlang der Achsen</translation>
-    </message>
-    <message>
-        <source>UR&apos;s TCP force, for instance, is along the axes of the robot&apos;s base</source>
-        <translation>Die TCP-Kraft von UR zum Beispiel steht in den Achsen des Robotersockels</translation>
-    </message>
-    <message>
-        <source>the sensor</source>
-        <translation>des Sensors</translation>
-    </message>
-    <message>
-        <source>the robot&apos;s base</source>
-        <translation>des Robotersockels</translation>
-    </message>
-    <message>
-        <source>Torque about</source>
-        <translation>Moment um</translation>
-    </message>
-    <message>
-        <source>The point that the torque is taken about</source>
-        <translation>Der Punkt, um den das Moment genommen ist</translation>
-    </message>
-    <message>
-        <source>the sensor&apos;s origin</source>
-        <translation>den Ursprung des Sensors</translation>
-    </message>
-    <message>
-        <source>the base&apos;s origin</source>
-        <translation>den Ursprung des Sockels</translation>
-    </message>
-    <message>
-        <source>another point of the sensor</source>
-        <translation>einen anderen Punkt des Sensors</translation>
-    </message>
-    <message>
-        <source>That point from the sensor&apos;s origin along its %1</source>
-        <translation>Dieser Punkt vom Ursprung des Sensors aus entlang seines %1</translation>
     </message>
     <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
     <message>
-        <source>That point x, y, z</source>
-        <translation>Dieser Punkt x, y, z</translation>
-    </message>
-    <message>
-        <source>Torque&apos;s sign</source>
-        <translation>Vorzeichen des Moments</translation>
-    </message>
-    <message>
-        <source>Some drivers turn the torque round, but not the force</source>
-        <translation>Manche Treiber drehen das Moment um, die Kraft aber nicht</translation>
-    </message>
-    <message>
-        <source>as the force&apos;s</source>
-        <translation>wie das der Kraft</translation>
-    </message>
-    <message>
-        <source>opposite to the force&apos;s</source>
-        <translation>entgegengesetzt zu dem der Kraft</translation>
-    </message>
-    <message>
-        <source>Order</source>
-        <translation>Reihenfolge</translation>
-    </message>
-    <message>
-        <source>What the first three of the six columns are</source>
-        <translation>Was die ersten drei der sechs Spalten sind</translation>
-    </message>
-    <message>
-        <source>force, then torque</source>
-        <translation>Kraft, dann Moment</translation>
-    </message>
-    <message>
-        <source>torque, then force</source>
-        <translation>Moment, dann Kraft</translation>
-    </message>
-    <message>
-        <source>Mirrored axis</source>
-        <translation>Gespiegelte Achse</translation>
-    </message>
-    <message>
-        <source>The axis along which force and torque have the other sign: a left-handed sensor</source>
-        <translation>Die Achse, entlang der Kraft und Moment das andere Vorzeichen haben: ein linkshändiger Sensor</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>Unit of force</source>
-        <translation>Einheit der Kraft</translation>
-    </message>
-    <message>
-        <source>Unit of torque</source>
-        <translation>Einheit des Moments</translation>
-    </message>
-    <message>
         <source>Joints and poses</source>
         <translation>Gelenke und Posen</translation>
-    </message>
-    <message>
-        <source>Angles</source>
-        <translation>Winkel</translation>
-    </message>
-    <message>
-        <source>Joint angles and their speeds</source>
-        <translation>Gelenkwinkel und ihre Geschwindigkeiten</translation>
-    </message>
-    <message>
-        <source>radians</source>
-        <translation>Bogenmaß</translation>
-    </message>
-    <message>
-        <source>degrees</source>
-        <translation>Grad</translation>
-    </message>
-    <message>
-        <source>Positions</source>
-        <translation>Positionen</translation>
-    </message>
-    <message>
-        <source>Positions and their speeds</source>
-        <translation>Positionen und ihre Geschwindigkeiten</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>Meter</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>Millimeter</translation>
-    </message>
-    <message>
-        <source>A pose is that of</source>
-        <translation>Eine Pose ist die</translation>
-    </message>
-    <message>
-        <source>Some programs write the pose the other way round</source>
-        <translation>Manche Programme schreiben die Pose andersherum</translation>
-    </message>
-    <message>
-        <source>the sensor in the base</source>
-        <translation>des Sensors im Sockel</translation>
-    </message>
-    <message>
-        <source>the base in the sensor</source>
-        <translation>des Sockels im Sensor</translation>
-    </message>
-    <message>
-        <source>Quaternions</source>
-        <translation>Quaternionen</translation>
-    </message>
-    <message>
-        <source>Where the real part w stands</source>
-        <translation>Wo der Realteil w steht</translation>
-    </message>
-    <message>
-        <source>In which unit the file holds it</source>
-        <translation>In welcher Einheit es in der Datei steht</translation>
     </message>
     <message>
         <source>another</source>
         <translation>andere</translation>
     </message>
     <message>
-        <source>%1: how many %2 are one of it</source>
+        <source>Axes, signs, units and orders that differ from the usual ones</source>
+        <translation>Achsen, Vorzeichen, Einheiten und Reihenfolgen, wo sie nicht die üblichen sind</translation>
+    </message>
+    <message>
+        <source>That point from the sensor’s origin along its %1</source>
+        <translation>Dieser Punkt vom Ursprung des Sensors aus entlang seines %1</translation>
+    </message>
+    <message>
+        <source>Point x, y, z</source>
+        <translation>Dieser Punkt x, y, z</translation>
+    </message>
+    <message>
+        <source>%1: how many %2 one unit is</source>
         <translation>%1: wie viele %2 eine davon sind</translation>
     </message>
 </context>
@@ -9668,6 +9678,18 @@ Bitte prüfen Sie den Namen.</translation>
         <source>time [s]</source>
         <translation>Zeit [s]</translation>
     </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>RMS residual</source>
+        <translation>Rest (eff.)</translation>
+    </message>
+    <message>
+        <source>1/Δt %1 Hz</source>
+        <translation>1/Δt %1 Hz</translation>
+    </message>
 </context>
 <context>
     <name>heft::DifferencePane</name>
@@ -9694,10 +9716,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Frequency [Hz]</source>
         <translation>Frequenz [Hz]</translation>
-    </message>
-    <message>
-        <source>No segment is long enough to tell frequencies.</source>
-        <translation>Kein Abschnitt ist lang genug, um Frequenzen zu zeigen.</translation>
     </message>
     <message>
         <source>With the causes: %1 [%2]</source>
@@ -9730,14 +9748,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Measured and simulated over time</source>
         <translation>Gemessen und simuliert über der Zeit</translation>
-    </message>
-    <message>
-        <source>What is left over, by frequency</source>
-        <translation>Was übrig bleibt, nach Frequenz</translation>
-    </message>
-    <message>
-        <source>What is left over, against what the robot did</source>
-        <translation>Was übrig bleibt, gegen das, was der Roboter tat</translation>
     </message>
     <message>
         <source>Which causes</source>
@@ -9788,32 +9798,40 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Eine schräge oder krumme Wolke heißt, dass die Abweichung von dieser Größe abhängt. Beide Bilder haben einen Maßstab; ein Klick auf einen Punkt führt zu seiner Zeit.</translation>
     </message>
     <message>
-        <source>Plots alone, or with the rest again</source>
-        <translation>Nur die Kurven, oder wieder mit allem anderen</translation>
-    </message>
-    <message>
         <source>Picture of this</source>
         <translation>Bild davon</translation>
     </message>
     <message>
-        <source>Grey: what the verdict takes for the sensor’s noise, slow noise included.</source>
+        <source>No segment is long enough for a spectrum.</source>
+        <translation>Kein Abschnitt ist lang genug, um Frequenzen zu zeigen.</translation>
+    </message>
+    <message>
+        <source>Residual by frequency</source>
+        <translation>Rest nach Frequenz</translation>
+    </message>
+    <message>
+        <source>Residual against the robot’s motion</source>
+        <translation>Rest gegen die Bewegung des Roboters</translation>
+    </message>
+    <message>
+        <source>Maximise the plots, or restore them (F11)</source>
+        <translation>Kurven maximieren oder zurückholen (F11)</translation>
+    </message>
+    <message>
+        <source>Grey: sensor noise as used by the verdict, including slow noise.</source>
         <translation>Grau: was das Urteil für Rauschen des Sensors hält, auch langsames.</translation>
     </message>
     <message>
-        <source>Torque left over [%1/√Hz]</source>
-        <translation>Übriges Drehmoment [%1/√Hz]</translation>
+        <source>Residual torque [%1/√Hz]</source>
+        <translation>Rest, Moment [%1/√Hz]</translation>
     </message>
     <message>
-        <source>Force left over [%1/√Hz]</source>
-        <translation>Übrige Kraft [%1/√Hz]</translation>
+        <source>Residual force [%1/√Hz]</source>
+        <translation>Rest, Kraft [%1/√Hz]</translation>
     </message>
 </context>
 <context>
     <name>heft::DifferenceTraces</name>
-    <message>
-        <source>Measured and simulated, without and with the causes, and what is left over</source>
-        <translation>Gemessen und simuliert, ohne und mit den Ursachen, und was übrig bleibt</translation>
-    </message>
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
@@ -9831,14 +9849,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>mit den Ursachen</translation>
     </message>
     <message>
-        <source>left over without</source>
-        <translation>übrig ohne</translation>
-    </message>
-    <message>
-        <source>left over with</source>
-        <translation>übrig mit</translation>
-    </message>
-    <message>
         <source>time</source>
         <translation>Zeit</translation>
     </message>
@@ -9851,12 +9861,24 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Noch nichts zu vergleichen.</translation>
     </message>
     <message>
-        <source>left over</source>
-        <translation>übrig</translation>
-    </message>
-    <message>
         <source>pose</source>
         <translation>Stellung</translation>
+    </message>
+    <message>
+        <source>Measured and simulated, without and with the causes, and the residual</source>
+        <translation>Gemessen und simuliert, ohne und mit den Ursachen, und der Rest</translation>
+    </message>
+    <message>
+        <source>residual without</source>
+        <translation>Rest ohne</translation>
+    </message>
+    <message>
+        <source>residual with</source>
+        <translation>Rest mit</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Rest</translation>
     </message>
 </context>
 <context>
@@ -9883,10 +9905,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>What does today’s entry cost?</source>
         <translation>Was kostet der heutige Eintrag?</translation>
-    </message>
-    <message>
-        <source>Enter what the controller is set to now. Heft then shows which forces it would feel that nobody exerts, and what they do.</source>
-        <translation>Sagen Sie, was jetzt in der Steuerung steht. Heft nennt dann die Kräfte, die sie spürt, obwohl niemand sie ausübt, und was sie bewirken.</translation>
     </message>
     <message>
         <source>Change it …</source>
@@ -9917,10 +9935,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Eingestellt wie in %1.</translation>
     </message>
     <message>
-        <source>The arrow on the tool shows the force at the moment shown.</source>
-        <translation>Der Pfeil am Werkzeug zeigt die Kraft im gezeigten Augenblick.</translation>
-    </message>
-    <message>
         <source>the controller’s entry</source>
         <translation>Eintrag der Steuerung</translation>
     </message>
@@ -9936,6 +9950,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>controller expects a mass in kg and perhaps a place in mm, a payload file, or off: controller 0.5 at 0,0,40.</source>
         <translation>controller erwartet eine Masse in kg und vielleicht einen Ort in mm, eine Lastdatei oder off: controller 0.5 at 0,0,40.</translation>
     </message>
+    <message>
+        <source>Enter the payload that the controller is set to. Heft then shows the phantom forces it would see, and their effect.</source>
+        <translation>Geben Sie die Last ein, die in der Steuerung steht. Heft zeigt dann die Scheinkräfte, die sie sähe, und was sie bewirken.</translation>
+    </message>
+    <message>
+        <source>The arrow on the tool shows the force at the current time.</source>
+        <translation>Der Pfeil am Werkzeug zeigt die Kraft im gezeigten Augenblick.</translation>
+    </message>
 </context>
 <context>
     <name>heft::EntryCosts</name>
@@ -9944,7 +9966,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Eintrag der Steuerung</translation>
     </message>
     <message>
-        <source>Working out what the entry costs</source>
+        <source>Computing what the entry costs</source>
         <translation>Rechnet aus, was der Eintrag kostet</translation>
     </message>
 </context>
@@ -9953,14 +9975,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>What is the controller set to?</source>
         <translation>Was steht in der Steuerung?</translation>
-    </message>
-    <message>
-        <source>As it stands at the controller, with everything beyond the flange. A weight of 0 means that nothing was entered.</source>
-        <translation>So, wie es in der Steuerung steht, mit allem jenseits des Flanschs. Ein Gewicht von 0 heißt, dass nichts eingegeben wurde.</translation>
-    </message>
-    <message>
-        <source>Centre from the flange, inertia about the centre of mass, along the flange’s axes. What you leave empty is taken as estimated.</source>
-        <translation>Schwerpunkt vom Flansch aus, Trägheit um den Schwerpunkt, entlang der Achsen des Flanschs. Was Sie leer lassen, gilt wie geschätzt.</translation>
     </message>
     <message>
         <source>What it reacts to</source>
@@ -9979,10 +9993,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Steifigkeit des Arms [N/m]</translation>
     </message>
     <message>
-        <source>At first as in libfranka’s examples: 10 N, 10 N m, 3000 N/m. Your program’s values count.</source>
-        <translation>Zunächst wie in den Beispielen von libfranka: 10 N, 10 N m, 3000 N/m. Es zählen die Werte Ihres Programms.</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
@@ -9991,7 +10001,19 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Das Gewicht fehlt.</translation>
     </message>
     <message>
-        <source>%1 should be a number above zero.</source>
+        <source>As entered in the controller, with everything beyond the flange. A weight of 0 means that nothing was entered.</source>
+        <translation>So, wie es in der Steuerung steht, mit allem jenseits des Flanschs. Ein Gewicht von 0 heißt, dass nichts eingegeben wurde.</translation>
+    </message>
+    <message>
+        <source>Centre from the flange, inertia about the centre of mass, along the flange’s axes. Empty fields use the estimate.</source>
+        <translation>Schwerpunkt vom Flansch aus, Trägheit um den Schwerpunkt, entlang der Achsen des Flanschs. Was Sie leer lassen, gilt wie geschätzt.</translation>
+    </message>
+    <message>
+        <source>Defaults as in libfranka’s examples: 10 N, 10 N m, 3000 N/m. Use the values of your program.</source>
+        <translation>Zunächst wie in den Beispielen von libfranka: 10 N, 10 N m, 3000 N/m. Es zählen die Werte Ihres Programms.</translation>
+    </message>
+    <message>
+        <source>%1 must be a number above zero.</source>
         <translation>%1 sollte eine Zahl über null sein.</translation>
     </message>
 </context>
@@ -10020,14 +10042,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Sensor body, %1</source>
         <translation>Sensorgehäuse, %1</translation>
-    </message>
-    <message>
-        <source>Where do the numbers go?</source>
-        <translation>Wohin sollen die Werte?</translation>
-    </message>
-    <message>
-        <source>First comes a result.</source>
-        <translation>Zuerst kommt ein Ergebnis.</translation>
     </message>
     <message>
         <source>Go to the result</source>
@@ -10157,14 +10171,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>export braucht ein Ergebnis.</translation>
     </message>
     <message>
-        <source>An existing file is never replaced without asking</source>
-        <translation>Eine vorhandene Datei wird nie ohne Rückfrage ersetzt</translation>
-    </message>
-    <message>
-        <source>The sensor itself weighs something, too: add it under “Something else …” unless the controller knows it already, or tick “Nothing else”.</source>
-        <translation>Der Sensor selbst wiegt auch etwas: Fügen Sie ihn unter „Etwas anderes …“ hinzu, wenn die Steuerung ihn noch nicht kennt, oder wählen Sie „Nichts weiter“.</translation>
-    </message>
-    <message>
         <source>Answer the question above before saving.</source>
         <translation>Sagen Sie oben, ob das das eigene Werkzeug des Roboters ist oder etwas, das er aufgenommen hat; dann lässt es sich speichern.</translation>
     </message>
@@ -10173,24 +10179,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>eine Antwort fehlt</translation>
     </message>
     <message>
-        <source>Nothing in this result can be trusted, so no file is written.</source>
-        <translation>Diesem Ergebnis ist nicht zu trauen, daher wird keine Datei geschrieben.</translation>
-    </message>
-    <message>
         <source>Run reality check</source>
         <translation>Nachsehen, was nicht stimmt</translation>
     </message>
     <message>
-        <source>Write it all the same …</source>
-        <translation>Trotzdem schreiben …</translation>
-    </message>
-    <message>
         <source>Heft Studio</source>
         <translation>Heft Studio</translation>
-    </message>
-    <message>
-        <source>Write a payload that nothing in the recording supports?</source>
-        <translation>Eine Last schreiben, die nichts in der Aufnahme stützt?</translation>
     </message>
     <message>
         <source>%1
@@ -10199,10 +10193,6 @@ A robot with a wrong load setting drifts when it is guided, stops without a reas
         <translation>%1
 
 Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an oder hält nicht an, wenn er sollte.</translation>
-    </message>
-    <message>
-        <source>I know that these numbers are wrong; write them</source>
-        <translation>Ich weiß, dass diese Zahlen falsch sind; schreiben</translation>
     </message>
     <message>
         <source>Do not write</source>
@@ -10229,16 +10219,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Werkzeugmittelpunkt</translation>
     </message>
     <message>
-        <source>from the flange, its axes</source>
-        <translation>vom Flansch, in dessen Achsen</translation>
-    </message>
-    <message>
         <source>tool centre point</source>
         <translation>Werkzeugmittelpunkt</translation>
-    </message>
-    <message>
-        <source>Save all the same</source>
-        <translation>Trotzdem speichern</translation>
     </message>
     <message>
         <source>Back to the reality check</source>
@@ -10251,6 +10233,46 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Show in folder</source>
         <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Which controller is this for?</source>
+        <translation>Für welche Steuerung?</translation>
+    </message>
+    <message>
+        <source>Estimate a result first.</source>
+        <translation>Zuerst ein Ergebnis schätzen.</translation>
+    </message>
+    <message>
+        <source>An existing file is never overwritten without asking</source>
+        <translation>Eine vorhandene Datei wird nie ohne Rückfrage ersetzt</translation>
+    </message>
+    <message>
+        <source>Don’t forget the sensor’s own weight: add it under “Something else …” unless the controller already includes it, or tick “Nothing else”.</source>
+        <translation>Der Sensor selbst wiegt auch etwas: Fügen Sie ihn unter „Etwas anderes …“ hinzu, wenn die Steuerung ihn noch nicht kennt, oder wählen Sie „Nichts weiter“.</translation>
+    </message>
+    <message>
+        <source>This result is not reliable, so no file is written.</source>
+        <translation>Dieses Ergebnis ist nicht verlässlich, daher wird keine Datei geschrieben.</translation>
+    </message>
+    <message>
+        <source>Write it anyway …</source>
+        <translation>Trotzdem schreiben …</translation>
+    </message>
+    <message>
+        <source>Write a payload that the recording does not support?</source>
+        <translation>Eine Last schreiben, die nichts in der Aufnahme stützt?</translation>
+    </message>
+    <message>
+        <source>Write it; I know that these numbers are wrong</source>
+        <translation>Ich weiß, dass diese Zahlen falsch sind; schreiben</translation>
+    </message>
+    <message>
+        <source>Save anyway</source>
+        <translation>Trotzdem speichern</translation>
+    </message>
+    <message>
+        <source>from the flange, its axes, in mm</source>
+        <translation>vom Flansch, in dessen Achsen, in mm</translation>
     </message>
 </context>
 <context>
@@ -10268,10 +10290,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Die ganze Datei in die Zwischenablage kopieren</translation>
     </message>
     <message>
-        <source>The file before it is written</source>
-        <translation>Die Datei, bevor sie geschrieben wird</translation>
-    </message>
-    <message>
         <source>saved</source>
         <translation>gespeichert</translation>
     </message>
@@ -10282,6 +10300,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Not determined by the motion</source>
         <translation>Nicht aus der Bewegung bekannt</translation>
+    </message>
+    <message>
+        <source>The file, before it is written</source>
+        <translation>Die Datei, bevor sie geschrieben wird</translation>
     </message>
 </context>
 <context>
@@ -10295,16 +10317,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Aufnahmen und Sitzungen (%1);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Save the session</source>
-        <translation>Sitzung speichern</translation>
-    </message>
-    <message>
         <source>Heft sessions (*.heft)</source>
         <translation>Heft-Sitzungen (*.heft)</translation>
-    </message>
-    <message>
-        <source>%1 exists already and was not replaced: choose it in the dialog to replace it.</source>
-        <translation>%1 gibt es schon und wurde nicht ersetzt: Wählen Sie die Datei im Dialog aus, um sie zu ersetzen.</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -10313,22 +10327,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Heft Studio</source>
         <translation>Heft Studio</translation>
-    </message>
-    <message>
-        <source>Save the session first?</source>
-        <translation>Die Sitzung zuerst speichern?</translation>
-    </message>
-    <message>
-        <source>Marks, shape and settings since the last save would be gone.</source>
-        <translation>Marken, Form und Einstellungen seit dem letzten Speichern wären verloren.</translation>
-    </message>
-    <message>
-        <source>Nothing yet</source>
-        <translation>Noch nichts</translation>
-    </message>
-    <message>
-        <source>Save a picture</source>
-        <translation>Bild speichern</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
@@ -10346,6 +10344,30 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>Open a recording first: its columns belong to it.</source>
         <translation>Öffnen Sie zuerst eine Aufnahme: Die Spalten gehören zu ihr.</translation>
     </message>
+    <message>
+        <source>Save session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>%1 already exists and was not overwritten. Choose it in the dialog to overwrite it.</source>
+        <translation>%1 gibt es schon und wurde nicht ersetzt: Wählen Sie die Datei im Dialog aus, um sie zu ersetzen.</translation>
+    </message>
+    <message>
+        <source>Save changes to this session?</source>
+        <translation>Änderungen an dieser Sitzung speichern?</translation>
+    </message>
+    <message>
+        <source>Unsaved marks, shape and settings will be lost.</source>
+        <translation>Nicht gespeicherte Marken, Form und Einstellungen gehen verloren.</translation>
+    </message>
+    <message>
+        <source>No recent files</source>
+        <translation>Keine Dateien</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
 </context>
 <context>
     <name>heft::FlangeGuide</name>
@@ -10354,8 +10376,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Ziehen bewegt das Werkzeug</translation>
     </message>
     <message>
-        <source>Drag round to turn the tool</source>
-        <translation>Ringsum ziehen dreht das Werkzeug</translation>
+        <source>Drag along the ring to rotate the tool</source>
+        <translation>Am Ring ziehen, um das Werkzeug zu drehen</translation>
     </message>
 </context>
 <context>
@@ -10408,20 +10430,20 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::KnownValuesDialog</name>
     <message>
-        <source>What do you know already?</source>
-        <translation>Was wissen Sie schon?</translation>
-    </message>
-    <message>
-        <source>From a scale or from CAD. Heft compares with it and changes nothing; leave empty what you do not know.</source>
-        <translation>Von einer Waage oder aus CAD. Heft vergleicht damit und ändert nichts; lassen Sie leer, was Sie nicht wissen.</translation>
-    </message>
-    <message>
         <source>Centre from the sensor’s origin, inertia about the centre of mass, along the sensor’s axes. Products as in the inertia matrix.</source>
         <translation>Schwerpunkt vom Ursprung des Sensors, Trägheit um den Schwerpunkt, entlang der Sensorachsen. Deviationsmomente wie in der Trägheitsmatrix.</translation>
     </message>
     <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>What do you already know?</source>
+        <translation>Was wissen Sie schon?</translation>
+    </message>
+    <message>
+        <source>From a scale or from CAD. Used for comparison only; leave unknown fields empty.</source>
+        <translation>Von einer Waage oder aus CAD. Dient nur zum Vergleich; lassen Sie unbekannte Felder leer.</translation>
     </message>
 </context>
 <context>
@@ -10466,16 +10488,16 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>lesson erwartet eine Nummer, eine Datei, next, back, answer NUMMER oder off; Antworten kommen nach dem letzten Schritt.</translation>
     </message>
     <message>
-        <source>No lesson is under way.</source>
-        <translation>Es läuft keine Lektion.</translation>
-    </message>
-    <message>
         <source>There is no lesson %1.</source>
         <translation>Es gibt keine Lektion %1.</translation>
     </message>
     <message>
         <source>Right.</source>
         <translation>Richtig.</translation>
+    </message>
+    <message>
+        <source>No lesson is running.</source>
+        <translation>Es läuft keine Lektion.</translation>
     </message>
 </context>
 <context>
@@ -10496,24 +10518,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::LiveBoard</name>
     <message>
-        <source>Rather move the arm freely?</source>
-        <translation>Lieber den Arm frei bewegen?</translation>
-    </message>
-    <message>
-        <source>Rather hold still in several poses?</source>
-        <translation>Lieber in mehreren Haltungen stillhalten?</translation>
-    </message>
-    <message>
         <source>Free motion</source>
         <translation>Freie Bewegung</translation>
     </message>
     <message>
         <source>Standing poses</source>
         <translation>Standhaltungen</translation>
-    </message>
-    <message>
-        <source>Starts again; mass, centre and inertia from free motion</source>
-        <translation>Beginnt neu; Masse, Schwerpunkt und Trägheit aus freier Bewegung</translation>
     </message>
     <message>
         <source>Starts a new recording (mass and centre of mass only)</source>
@@ -10528,10 +10538,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>JETZT TUN</translation>
     </message>
     <message>
-        <source>How much of the suggested motion&apos;s time has passed</source>
-        <translation>Wie viel von der Zeit der vorgeschlagenen Bewegung vergangen ist</translation>
-    </message>
-    <message>
         <source>Go there</source>
         <translation>Dorthin fahren</translation>
     </message>
@@ -10542,10 +10548,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>The virtual arm performs the suggested motion</source>
         <translation>Der virtuelle Arm macht die vorgeschlagene Bewegung von selbst</translation>
-    </message>
-    <message>
-        <source>What Heft knows so far</source>
-        <translation>Was Heft bisher weiß</translation>
     </message>
     <message>
         <source>band = uncertainty over time</source>
@@ -10627,17 +10629,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>noch etwa %1 s</translation>
     </message>
     <message>
-        <source>Something touches the tool now. This segment is left out.</source>
-        <translation>Gerade berührt etwas das Werkzeug. Dieser Abschnitt wird ausgelassen.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n segment(es) look touched. You can check them in Mark.</source>
-        <translation>
-            <numerusform>%n Abschnitt sieht berührt aus. Prüfen Sie ihn unter Markieren.</numerusform>
-            <numerusform>%n Abschnitte sehen berührt aus. Prüfen Sie sie unter Markieren.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>The tool was changed at %1 s. The numbers above are for the new one.</source>
         <translation>Das Werkzeug wurde bei %1 s gewechselt. Die Angaben oben gelten für das neue.</translation>
     </message>
@@ -10694,23 +10685,54 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Ist es eingeschaltet, und stimmt die Adresse?</translation>
     </message>
     <message>
-        <source>NOT WHAT THE RIG SAYS</source>
-        <translation>ANDERS ALS ANGEGEBEN</translation>
-    </message>
-    <message>
         <source>Bring the arm to another posture</source>
         <translation>Bringen Sie den Arm in eine andere Haltung</translation>
+    </message>
+    <message>
+        <source>Prefer free motion?</source>
+        <translation>Lieber freie Bewegung?</translation>
+    </message>
+    <message>
+        <source>Prefer standing poses?</source>
+        <translation>Lieber stehende Posen?</translation>
+    </message>
+    <message>
+        <source>Starts a new recording (mass, centre of mass and inertia)</source>
+        <translation>Beginnt neu; Masse, Schwerpunkt und Trägheit aus freier Bewegung</translation>
+    </message>
+    <message>
+        <source>Progress through the suggested motion</source>
+        <translation>Fortschritt in der vorgeschlagenen Bewegung</translation>
+    </message>
+    <message>
+        <source>Current estimate</source>
+        <translation>Aktuelle Schätzung</translation>
+    </message>
+    <message>
+        <source>The tool is touching something. This part is excluded.</source>
+        <translation>Gerade berührt etwas das Werkzeug. Dieser Abschnitt wird ausgelassen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n possible contact(s). You can review them in Mark.</source>
+        <translation>
+            <numerusform>%n möglicher Kontakt. Prüfen Sie ihn unter Markieren.</numerusform>
+            <numerusform>%n mögliche Kontakte. Prüfen Sie sie unter Markieren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>DOES NOT MATCH THE SETUP</source>
+        <translation>ANDERS ALS ANGEGEBEN</translation>
     </message>
 </context>
 <context>
     <name>heft::LiveRun</name>
     <message>
-        <source>The folder %1 for recordings cannot be made.</source>
-        <translation>Der Ordner %1 für Aufzeichnungen lässt sich nicht anlegen.</translation>
-    </message>
-    <message>
         <source>The source sends %1 joints, the robot has %2: name the right robot in the setup file.</source>
         <translation>Die Quelle sendet %1 Gelenke, der Roboter hat %2: Nennen Sie den richtigen Roboter in der Aufbaudatei.</translation>
+    </message>
+    <message>
+        <source>The folder %1 for recordings cannot be created.</source>
+        <translation>Der Ordner %1 für Aufzeichnungen lässt sich nicht anlegen.</translation>
     </message>
 </context>
 <context>
@@ -10749,10 +10771,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Saved automatically, %1</source>
         <translation>Von selbst gespeichert, %1</translation>
-    </message>
-    <message>
-        <source>Open it again</source>
-        <translation>Wieder öffnen</translation>
     </message>
     <message>
         <source>%1 – Heft Studio</source>
@@ -10795,24 +10813,28 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Spalten und Einheiten wählen …</translation>
     </message>
     <message>
-        <source>Your last session was not closed by hand. What you had open was kept.</source>
-        <translation>Ihre letzte Sitzung wurde nicht von Hand geschlossen. Was offen war, wurde aufgehoben.</translation>
-    </message>
-    <message>
-        <source>The program ended in the middle of a recording. What came until then was kept.</source>
-        <translation>Das Programm endete mitten in einer Aufnahme. Was bis dahin kam, wurde aufgehoben.</translation>
-    </message>
-    <message>
-        <source>The session is not saved automatically at the moment: %1 Save it elsewhere.</source>
-        <translation>Die Sitzung wird zurzeit nicht selbsttätig gesichert: %1 Speichern Sie sie an einem anderen Ort.</translation>
-    </message>
-    <message>
         <source>Save as …</source>
         <translation>Speichern unter …</translation>
     </message>
     <message>
-        <source>What was kept could not be read; it is now %1. %2</source>
-        <translation>Was aufgehoben wurde, konnte nicht gelesen werden; es liegt jetzt in %1. %2</translation>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Your last session was not closed. It was saved automatically.</source>
+        <translation>Ihre letzte Sitzung wurde nicht geschlossen. Sie wurde automatisch gesichert.</translation>
+    </message>
+    <message>
+        <source>Heft Studio closed during a recording. The data up to that point was saved.</source>
+        <translation>Heft Studio endete während einer Aufnahme. Die Daten bis dahin wurden gesichert.</translation>
+    </message>
+    <message>
+        <source>The session cannot be saved automatically: %1 Save it elsewhere.</source>
+        <translation>Die Sitzung kann nicht selbsttätig gesichert werden: %1 Speichern Sie sie an einem anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The saved session could not be restored; it is now %1. %2</source>
+        <translation>Die gesicherte Sitzung konnte nicht wiederhergestellt werden; sie ist jetzt %1. %2</translation>
     </message>
 </context>
 <context>
@@ -10864,32 +10886,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Ruhende Stellungen werden alle benutzt.</translation>
     </message>
     <message>
-        <source>Heft is looking at the recording …</source>
-        <translation>Heft sieht sich die Aufnahme an …</translation>
-    </message>
-    <message>
         <source>Heft suggests</source>
         <translation>Heft schlägt vor</translation>
     </message>
     <message>
         <source>Back</source>
         <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>Accept it and go on</source>
-        <translation>Übernehmen und weiter</translation>
-    </message>
-    <message>
-        <source>Accept both and go on</source>
-        <translation>Beide übernehmen, weiter</translation>
-    </message>
-    <message>
-        <source>Accept all %1 and go on</source>
-        <translation>Alle %1 übernehmen, weiter</translation>
-    </message>
-    <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
     </message>
     <message>
         <source>contact</source>
@@ -10902,10 +10904,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Show this segment</source>
         <translation>Diesen Abschnitt zeigen</translation>
-    </message>
-    <message>
-        <source>Heft is</source>
-        <translation>Heft ist</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -10934,10 +10932,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Or paint it yourself</source>
         <translation>Oder malen Sie selbst</translation>
-    </message>
-    <message>
-        <source>drag over the marks</source>
-        <translation>über die Marken ziehen</translation>
     </message>
     <message>
         <source>Free</source>
@@ -11024,20 +11018,48 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Es wurde nichts gefunden.</translation>
     </message>
     <message>
-        <source>Also left out at each end, where arms are gripped and let go</source>
+        <source>Paint it yourself</source>
+        <translation>Selbst markieren</translation>
+    </message>
+    <message>
+        <source>Checking the recording …</source>
+        <translation>Die Aufnahme wird geprüft …</translation>
+    </message>
+    <message>
+        <source>Accept and continue</source>
+        <translation>Übernehmen und weiter</translation>
+    </message>
+    <message>
+        <source>Accept both and continue</source>
+        <translation>Beide übernehmen, weiter</translation>
+    </message>
+    <message>
+        <source>Accept all %1 and continue</source>
+        <translation>Alle %1 übernehmen, weiter</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>drag along the bar</source>
+        <translation>am Balken ziehen</translation>
+    </message>
+    <message>
+        <source>Also excluded at each end, where the arm is gripped and released</source>
         <translation>An beiden Enden auch weggelassen, wo man den Arm greift und loslässt</translation>
     </message>
     <message>
-        <source>Left out at each end</source>
+        <source>Excluded at each end</source>
         <translation>An jedem Ende weggelassen</translation>
     </message>
     <message>
-        <source>left out at each end</source>
+        <source>excluded at each end</source>
         <translation>an jedem Ende weggelassen</translation>
-    </message>
-    <message>
-        <source>Paint it yourself</source>
-        <translation>Selbst markieren</translation>
     </message>
 </context>
 <context>
@@ -11059,10 +11081,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Marken</translation>
     </message>
     <message>
-        <source>Which segments of the recording touched nothing</source>
-        <translation>Welche Abschnitte der Aufnahme nichts berührt haben</translation>
-    </message>
-    <message>
         <source>standing poses, all used</source>
         <translation>ruhende Stellungen, alle benutzt</translation>
     </message>
@@ -11077,6 +11095,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Mark as %1</source>
         <translation>Als %1 markieren</translation>
+    </message>
+    <message>
+        <source>Segments of the recording: free, contact or ignored</source>
+        <translation>Welche Abschnitte der Aufnahme nichts berührt haben</translation>
     </message>
 </context>
 <context>
@@ -11142,16 +11164,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>%1 m</translation>
     </message>
     <message>
-        <source>The longest side is %1 in the file. Heft guessed %2, because that makes a tool of %3.</source>
-        <translation>Die längste Seite ist in der Datei %1. Heft vermutet %2, denn das ergibt ein Werkzeug von %3.</translation>
-    </message>
-    <message>
         <source>The longest side is then %1.</source>
         <translation>Die längste Seite ist dann %1.</translation>
-    </message>
-    <message>
-        <source>Take it as a thin shell of 2 mm</source>
-        <translation>Als dünne Schale von 2 mm nehmen</translation>
     </message>
     <message>
         <source>Snap to sensor face</source>
@@ -11160,6 +11174,14 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Centres its bounding box on the sensor face. Otherwise the file origin is placed at the sensor origin.</source>
         <translation>Sein Kasten beginnt dann mittig am Sensor. Sonst liegt der Ursprung der Datei im Sensor.</translation>
+    </message>
+    <message>
+        <source>The longest side is %1 in the file. Assuming %2, that is %3.</source>
+        <translation>Die längste Seite ist in der Datei %1. In %2 sind das %3.</translation>
+    </message>
+    <message>
+        <source>Treat it as a thin shell of 2 mm</source>
+        <translation>Als dünne Schale von 2 mm nehmen</translation>
     </message>
 </context>
 <context>
@@ -11270,10 +11292,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Etwas aufgenommen?</translation>
     </message>
     <message>
-        <source>Heft weighs by itself what the tool carries: from this recording, if it is picked up or put down in it, or by a second one of the same tool without it.</source>
-        <translation>Heft wiegt einzeln, was das Werkzeug trägt: aus dieser Aufnahme, wenn es darin aufgenommen oder abgelegt wird, oder mit einer zweiten desselben Werkzeugs ohne es.</translation>
-    </message>
-    <message>
         <source>Picked up in this recording</source>
         <translation>In dieser Aufnahme aufgenommen</translation>
     </message>
@@ -11294,14 +11312,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Aus den Teilen dieser Aufnahme mit und ohne es, in den Achsen des Sensors.</translation>
     </message>
     <message>
-        <source>This recording less %1, in the sensor’s axes.</source>
-        <translation>Diese Aufnahme abzüglich %1, in den Achsen des Sensors.</translation>
-    </message>
-    <message>
-        <source>Causes that were applied are not taken out.</source>
-        <translation>Angewendete Ursachen sind nicht herausgerechnet.</translation>
-    </message>
-    <message>
         <source>The same tool without the object</source>
         <translation>Dasselbe Werkzeug ohne den Gegenstand</translation>
     </message>
@@ -11312,6 +11322,18 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>object expects picked-up, minus and a recording, or off.</source>
         <translation>object erwartet picked-up, minus und eine Aufnahme oder off.</translation>
+    </message>
+    <message>
+        <source>Heft can weigh what the tool carries: from this recording, if the object is picked up or put down in it, or with a second recording of the tool alone.</source>
+        <translation>Heft kann wiegen, was das Werkzeug trägt: aus dieser Aufnahme, wenn der Gegenstand darin aufgenommen oder abgelegt wird, oder mit einer zweiten Aufnahme des Werkzeugs allein.</translation>
+    </message>
+    <message>
+        <source>This recording minus %1, in the sensor’s axes.</source>
+        <translation>Diese Aufnahme abzüglich %1, in den Achsen des Sensors.</translation>
+    </message>
+    <message>
+        <source>Applied corrections are not used here.</source>
+        <translation>Angewandte Berichtigungen gelten hier nicht.</translation>
     </message>
 </context>
 <context>
@@ -11379,20 +11401,20 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Ixy, Ixz, Iyz [kg cm²]</translation>
     </message>
     <message>
-        <source>The weight should be a number, zero or above.</source>
-        <translation>Das Gewicht muss eine Zahl von null an sein.</translation>
-    </message>
-    <message>
-        <source>The weight should be a number above zero.</source>
-        <translation>Das Gewicht muss eine Zahl über null sein.</translation>
-    </message>
-    <message>
         <source>The centre needs three numbers, or none.</source>
         <translation>Der Schwerpunkt braucht drei Zahlen oder keine.</translation>
     </message>
     <message>
         <source>The inertia needs Ixx, Iyy and Izz, or nothing; empty products count as zero.</source>
         <translation>Die Trägheit braucht Ixx, Iyy und Izz oder nichts; leere Deviationsmomente zählen als null.</translation>
+    </message>
+    <message>
+        <source>The weight must be a number, zero or above.</source>
+        <translation>Das Gewicht muss eine Zahl von null an sein.</translation>
+    </message>
+    <message>
+        <source>The weight must be a number above zero.</source>
+        <translation>Das Gewicht muss eine Zahl über null sein.</translation>
     </message>
 </context>
 <context>
@@ -11457,10 +11479,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Ein Schritt zurück</translation>
     </message>
     <message>
-        <source>One step on</source>
-        <translation>Ein Schritt vor</translation>
-    </message>
-    <message>
         <source>%1×</source>
         <translation>%1×</translation>
     </message>
@@ -11471,6 +11489,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>pose %1 of %2</source>
         <translation>Stellung %1 von %2</translation>
+    </message>
+    <message>
+        <source>One step forward</source>
+        <translation>Ein Schritt vor</translation>
     </message>
 </context>
 <context>
@@ -11520,10 +11542,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Leertaste</translation>
     </message>
     <message>
-        <source>Time back or on; with Shift further</source>
-        <translation>Zeit zurück oder vor; mit Umschalt weiter</translation>
-    </message>
-    <message>
         <source>Left, Right</source>
         <translation>Links, Rechts</translation>
     </message>
@@ -11534,10 +11552,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Home, End</source>
         <translation>Pos1, Ende</translation>
-    </message>
-    <message>
-        <source>Zoom the plots; all of them</source>
-        <translation>Kurven vergrößern, verkleinern; alles</translation>
     </message>
     <message>
         <source>Next part of the window</source>
@@ -11583,28 +11597,20 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>For the result and the plots. Files keep the units of their format, and lengths that you enter are in mm.</source>
         <translation>Für Ergebnis und Kurven. Dateien behalten die Einheiten ihres Formats; Längen geben Sie in mm ein.</translation>
     </message>
+    <message>
+        <source>Back or forward in time; with Shift, further</source>
+        <translation>Zeit zurück oder vor; mit Umschalt weiter</translation>
+    </message>
+    <message>
+        <source>Zoom the plots; whole recording</source>
+        <translation>Kurven vergrößern, verkleinern; alles</translation>
+    </message>
 </context>
 <context>
     <name>heft::ProofCard</name>
     <message>
-        <source>Is it right at the robot?</source>
-        <translation>Stimmt es am Roboter?</translation>
-    </message>
-    <message>
-        <source>Checking the numbers on that recording …</source>
-        <translation>Die Zahlen werden an dieser Aufnahme geprüft …</translation>
-    </message>
-    <message>
-        <source>Enter the file at the controller, guide the tool for ten seconds through all directions, touching nothing, and let Heft check the numbers on that.</source>
-        <translation>Geben Sie die Datei in die Steuerung ein, führen Sie das Werkzeug zehn Sekunden lang durch alle Richtungen, ohne etwas zu berühren, und lassen Sie Heft die Zahlen daran prüfen.</translation>
-    </message>
-    <message>
         <source>The numbers have changed since; prove them again.</source>
         <translation>Die Zahlen haben sich seither geändert; beweisen Sie sie neu.</translation>
-    </message>
-    <message>
-        <source>Prove on what comes in</source>
-        <translation>Am laufenden Strom beweisen</translation>
     </message>
     <message>
         <source>Prove on a recording …</source>
@@ -11625,10 +11631,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Proving the numbers</source>
         <translation>Die Zahlen werden bewiesen</translation>
-    </message>
-    <message>
-        <source>Nothing comes in: start listening to the robot under Record, then guide the tool.</source>
-        <translation>Es kommt nichts an: Hören Sie unter „Aufnehmen“ dem Roboter zu und führen Sie dann das Werkzeug.</translation>
     </message>
     <message>
         <source>Prove on a recording</source>
@@ -11673,6 +11675,26 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>passport expects a file, and may end in tool NAME, since FILE, replace: passport gripper.pdf tool Gripper since old.json.</source>
         <translation>passport erwartet eine Datei und darf mit tool NAME, since DATEI, replace enden: passport gripper.pdf tool Gripper since old.json.</translation>
+    </message>
+    <message>
+        <source>Is it right on the robot?</source>
+        <translation>Stimmt es am Roboter?</translation>
+    </message>
+    <message>
+        <source>Checking the numbers with that recording …</source>
+        <translation>Die Zahlen werden mit dieser Aufnahme geprüft …</translation>
+    </message>
+    <message>
+        <source>Load the file into the controller, guide the tool in all directions for ten seconds without touching anything, and let Heft check the numbers.</source>
+        <translation>Laden Sie die Datei in die Steuerung, führen Sie das Werkzeug zehn Sekunden lang in alle Richtungen, ohne etwas zu berühren, und lassen Sie Heft die Zahlen prüfen.</translation>
+    </message>
+    <message>
+        <source>Prove on live data</source>
+        <translation>An laufenden Daten beweisen</translation>
+    </message>
+    <message>
+        <source>No live data: start listening to the robot under Record, then guide the tool.</source>
+        <translation>Keine laufenden Daten: Hören Sie unter „Aufnehmen“ dem Roboter zu und führen Sie dann das Werkzeug.</translation>
     </message>
 </context>
 <context>
@@ -11724,10 +11746,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>das Modell passt</translation>
     </message>
     <message>
-        <source>check the rig</source>
-        <translation>den Aufbau prüfen</translation>
-    </message>
-    <message>
         <source>Looking for causes</source>
         <translation>Ursachen suchen</translation>
     </message>
@@ -11744,20 +11762,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>„%1“ anwenden</translation>
     </message>
     <message>
-        <source>take back “%1”</source>
-        <translation>„%1“ zurücknehmen</translation>
-    </message>
-    <message>
         <source>Checking on %1</source>
         <translation>Prüfen an %1</translation>
     </message>
     <message>
-        <source>There is no reality check yet that could correct a setup file.</source>
-        <translation>Es gibt noch keine Realitätsprüfung, die eine Meta-Datei berichtigen könnte.</translation>
-    </message>
-    <message>
         <source>The reality check proposes no change of the setup file.</source>
-        <translation>Die Realitätsprüfung schlägt keine Änderung der Meta-Datei vor.</translation>
+        <translation>Die Realitätsprüfung schlägt keine Änderung der Aufbaudatei vor.</translation>
     </message>
     <message>
         <source>%1 already exists and was not overwritten.</source>
@@ -11765,11 +11775,11 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     </message>
     <message>
         <source>Save the corrected setup file</source>
-        <translation>Die berichtigte Meta-Datei speichern</translation>
+        <translation>Die berichtigte Aufbaudatei speichern</translation>
     </message>
     <message>
         <source>Setup files (*.meta.json)</source>
-        <translation>Meta-Dateien (*.meta.json)</translation>
+        <translation>Aufbaudateien (*.meta.json)</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -11784,20 +11794,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Öffnen Sie zuerst eine Aufnahme.</translation>
     </message>
     <message>
-        <source>Save a report of the session</source>
-        <translation>Einen Bericht der Sitzung speichern</translation>
-    </message>
-    <message>
         <source>PDF (*.pdf);;Web page (*.html)</source>
         <translation>PDF (*.pdf);;Webseite (*.html)</translation>
     </message>
     <message>
         <source>Looking for causes …</source>
         <translation>Ursachen werden gesucht …</translation>
-    </message>
-    <message>
-        <source>Heft compares the recording with what the simulation expects, and with 200 simulated clean ones.</source>
-        <translation>Heft vergleicht die Aufnahme mit dem, was die Simulation erwartet, und mit 200 simulierten sauberen.</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -11823,10 +11825,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>What is wrong with this recording?</source>
         <translation>Was stimmt mit dieser Aufnahme nicht?</translation>
     </message>
-    <message>
-        <source>One fault of the rig is hidden in it. Look, then guess.</source>
-        <translation>Ein Fehler des Aufbaus ist darin versteckt. Ansehen, dann tippen.</translation>
-    </message>
     <message numerus="yes">
         <source>%n correction(s) of an earlier check are part of the result.</source>
         <translation>
@@ -11843,32 +11841,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Ursachen suchen</translation>
     </message>
     <message>
-        <source>The marks changed since Heft looked.</source>
-        <translation>Die Marken haben sich seit der Suche geändert.</translation>
-    </message>
-    <message>
         <source>Run again</source>
         <translation>Noch einmal suchen</translation>
-    </message>
-    <message>
-        <source>Go on to Export</source>
-        <translation>Weiter zu Ausgeben</translation>
-    </message>
-    <message>
-        <source>&amp;Look for causes</source>
-        <translation>&amp;Ursachen suchen</translation>
-    </message>
-    <message>
-        <source>&amp;Report of the session …</source>
-        <translation>&amp;Bericht der Sitzung …</translation>
-    </message>
-    <message>
-        <source>&amp;A recording with a hidden fault</source>
-        <translation>&amp;Eine Aufnahme mit einem versteckten Fehler</translation>
-    </message>
-    <message>
-        <source>Riddle &amp;%1</source>
-        <translation>Rätsel &amp;%1</translation>
     </message>
     <message>
         <source>diagnose needs an open recording.</source>
@@ -11891,10 +11865,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>keine</translation>
     </message>
     <message>
-        <source>There is nothing called %1 to look against.</source>
-        <translation>Es gibt nichts namens %1, wogegen man sehen könnte.</translation>
-    </message>
-    <message>
         <source>look expects plots, time, frequency or motion.</source>
         <translation>look erwartet plots, time, frequency oder motion.</translation>
     </message>
@@ -11907,16 +11877,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>%1 ist nicht neben der gezeigten Aufnahme offen.</translation>
     </message>
     <message>
-        <source>practice expects the number of a riddle.</source>
-        <translation>practice erwartet die Nummer eines Rätsels.</translation>
-    </message>
-    <message>
         <source>guess needs a recording to practise on.</source>
         <translation>guess braucht eine Übungsaufnahme.</translation>
-    </message>
-    <message>
-        <source>%1 is none of the faults to guess.</source>
-        <translation>%1 ist keiner der Fehler zum Tippen.</translation>
     </message>
     <message>
         <source>Something pulls from here</source>
@@ -11939,22 +11901,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>freie Teile passen</translation>
     </message>
     <message>
-        <source>read the recording otherwise than stated</source>
-        <translation>Aufnahme anders lesen als angegeben</translation>
-    </message>
-    <message>
-        <source>Heft compares the poses with each other, and with what gravity makes of a rigid tool.</source>
-        <translation>Heft vergleicht die Haltungen miteinander und mit dem, was die Schwerkraft aus einem starren Werkzeug macht.</translation>
-    </message>
-    <message>
-        <source>The numbers mean something else</source>
-        <translation>Die Zahlen bedeuten etwas anderes</translation>
-    </message>
-    <message>
-        <source>First let Heft read the recording as physics requires; the rest of this page assumes it.</source>
-        <translation>Lesen Sie die Aufnahme zuerst so, wie die Physik es sagt; der Rest dieser Seite geht davon aus.</translation>
-    </message>
-    <message>
         <source>difference</source>
         <translation>Abweichung</translation>
     </message>
@@ -11970,13 +11916,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>Stopping …</source>
         <translation>Hält an …</translation>
     </message>
-    <message numerus="yes">
-        <source>%n finding(s) that Heft allows for</source>
-        <translation>
-            <numerusform>%n Befund, den Heft schon berücksichtigt</numerusform>
-            <numerusform>%n Befunde, die Heft schon berücksichtigt</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Show force and torque</source>
         <translation>Kraft und Moment zeigen</translation>
@@ -11988,10 +11927,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>What is shown below the arm</source>
         <translation>Was unter dem Arm steht</translation>
-    </message>
-    <message>
-        <source>shows best here</source>
-        <translation>hier am besten zu sehen</translation>
     </message>
     <message>
         <source>Drag a slider; the recording stays as it is</source>
@@ -12030,8 +11965,95 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>More than one reading fits, each with another weight. State the right one; Heft does not guess.</source>
-        <translation>Mehr als eine Lesart passt, jede mit einem anderen Gewicht. Geben Sie die richtige an; Heft rät nicht.</translation>
+        <source>check the setup</source>
+        <translation>den Aufbau prüfen</translation>
+    </message>
+    <message>
+        <source>remove the correction “%1”</source>
+        <translation>die Berichtigung „%1“ entfernen</translation>
+    </message>
+    <message>
+        <source>There is no reality check yet to correct a setup file from.</source>
+        <translation>Es gibt noch keine Realitätsprüfung, aus der sich eine Aufbaudatei berichtigen ließe.</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Heft compares the recording with the simulation, and with 200 simulated clean recordings.</source>
+        <translation>Heft vergleicht die Aufnahme mit der Simulation und mit 200 simulierten sauberen Aufnahmen.</translation>
+    </message>
+    <message>
+        <source>It contains one hidden fault. Inspect it, then guess.</source>
+        <translation>Sie enthält einen versteckten Fehler. Sehen Sie sie an, dann tippen Sie.</translation>
+    </message>
+    <message>
+        <source>The marks have changed since the last check.</source>
+        <translation>Die Marken haben sich seit der letzten Prüfung geändert.</translation>
+    </message>
+    <message>
+        <source>Continue to Export</source>
+        <translation>Weiter zu Ausgeben</translation>
+    </message>
+    <message>
+        <source>Run reality chec&amp;k</source>
+        <translation>Reali&amp;tätsprüfung starten</translation>
+    </message>
+    <message>
+        <source>Save repor&amp;t …</source>
+        <translation>Be&amp;richt speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;New exercise</source>
+        <translation>&amp;Neue Übung</translation>
+    </message>
+    <message>
+        <source>Exercise &amp;%1</source>
+        <translation>Übung &amp;%1</translation>
+    </message>
+    <message>
+        <source>There is no quantity called %1.</source>
+        <translation>Es gibt keine Größe namens %1.</translation>
+    </message>
+    <message>
+        <source>practice expects the number of an exercise.</source>
+        <translation>practice erwartet die Nummer einer Übung.</translation>
+    </message>
+    <message>
+        <source>%1 is not one of the faults to guess.</source>
+        <translation>%1 ist keiner der Fehler zum Tippen.</translation>
+    </message>
+    <message>
+        <source>use other conventions than stated</source>
+        <translation>andere Konventionen als angegeben</translation>
+    </message>
+    <message>
+        <source>Heft compares the poses with each other, and with a rigid tool under gravity.</source>
+        <translation>Heft vergleicht die Haltungen miteinander und mit einem starren Werkzeug unter Schwerkraft.</translation>
+    </message>
+    <message>
+        <source>The numbers follow other conventions</source>
+        <translation>Die Zahlen folgen anderen Konventionen</translation>
+    </message>
+    <message>
+        <source>Apply these conventions first; the rest of this page assumes them.</source>
+        <translation>Wenden Sie zuerst diese Konventionen an; der Rest dieser Seite setzt sie voraus.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) already compensated</source>
+        <translation>
+            <numerusform>%n Befund schon ausgeglichen</numerusform>
+            <numerusform>%n Befunde schon ausgeglichen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>clearest here</source>
+        <translation>hier am besten zu sehen</translation>
+    </message>
+    <message>
+        <source>More than one interpretation fits, each with a different mass. Choose the right one; Heft does not guess.</source>
+        <translation>Mehr als eine Deutung passt, jede mit einer anderen Masse. Wählen Sie die richtige; Heft rät nicht.</translation>
     </message>
 </context>
 <context>
@@ -12054,10 +12076,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>%1 s recorded</source>
         <translation>%1 s aufgenommen</translation>
-    </message>
-    <message>
-        <source>What does your tool weigh?</source>
-        <translation>Was wiegt Ihr Werkzeug?</translation>
     </message>
     <message>
         <source>Open a recording of the arm moving with its tool. Heft estimates mass, centre of mass and inertia, and how certain each value is.</source>
@@ -12111,10 +12129,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>%1 s, läuft</translation>
     </message>
     <message>
-        <source>Drag the tool, or use arrow keys; with Shift they turn it</source>
-        <translation>Ziehen Sie das Werkzeug oder benutzen Sie die Pfeiltasten; mit Umschalt drehen sie es</translation>
-    </message>
-    <message>
         <source>Listen to your robot</source>
         <translation>Ihrem Roboter zuhören</translation>
     </message>
@@ -12151,14 +12165,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Welches Werkzeug trägt er?</translation>
     </message>
     <message>
-        <source>Surprise</source>
-        <translation>Überraschung</translation>
-    </message>
-    <message>
-        <source>anything</source>
-        <translation>irgendeins</translation>
-    </message>
-    <message>
         <source>Light</source>
         <translation>Leicht</translation>
     </message>
@@ -12177,14 +12183,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>How to guide it</source>
         <translation>So führen Sie ihn</translation>
-    </message>
-    <message>
-        <source>Drag the tool in the picture: the arm follows.</source>
-        <translation>Ziehen Sie das Werkzeug im Bild: Der Arm folgt.</translation>
-    </message>
-    <message>
-        <source>Drag one of the three rings: the tool turns.</source>
-        <translation>Ziehen Sie an einem der drei Ringe: Das Werkzeug dreht sich.</translation>
     </message>
     <message>
         <source>Or use the arrow keys and Page Up/Down; hold Shift to rotate.</source>
@@ -12231,14 +12229,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Beenden und behalten</translation>
     </message>
     <message>
-        <source>Nothing has come yet.</source>
-        <translation>Es ist noch nichts gekommen.</translation>
-    </message>
-    <message>
-        <source>Two poses at least are needed.</source>
-        <translation>Mindestens zwei Haltungen sind nötig.</translation>
-    </message>
-    <message>
         <source>Nothing was recorded.</source>
         <translation>Es wurde nichts aufgezeichnet.</translation>
     </message>
@@ -12251,10 +12241,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Der virtuelle Arm ist nicht gestartet.</translation>
     </message>
     <message>
-        <source>%1 could not be played.</source>
-        <translation>%1 konnte nicht abgespielt werden.</translation>
-    </message>
-    <message>
         <source>Nothing is being recorded: begin with live virtual or live replay.</source>
         <translation>Es wird nichts aufgezeichnet: Beginnen Sie mit live virtual oder live replay.</translation>
     </message>
@@ -12265,10 +12251,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>live guide expects metres and, if you like, radians.</source>
         <translation>live guide erwartet Meter und, wenn Sie mögen, Radiant.</translation>
-    </message>
-    <message>
-        <source>There is nothing to be shown now.</source>
-        <translation>Es gibt jetzt nichts vorzumachen.</translation>
     </message>
     <message>
         <source>Move the arm as the coach suggests, then press “Stop and save”</source>
@@ -12299,35 +12281,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Aufnahme gespeichert: %1</translation>
     </message>
     <message>
-        <source>The sensor’s mounting on the flange is not stated, so Heft assumes the flange’s own axes. If the sensor is mounted otherwise, the inertia and the exported numbers are wrong.</source>
-        <translation>Niemand hat gesagt, wie der Sensor am Flansch sitzt; Heft hat seine Achsen für die des Flansches genommen. Sitzt er anders, werden Trägheit und exportierte Zahlen falsch.</translation>
-    </message>
-    <message>
-        <source>Say it now …</source>
-        <translation>Jetzt angeben …</translation>
-    </message>
-    <message>
         <source>Heft Studio</source>
         <translation>Heft Studio</translation>
-    </message>
-    <message>
-        <source>A recording is under way. Stop it?</source>
-        <translation>Eine Aufnahme läuft. Anhalten?</translation>
-    </message>
-    <message>
-        <source>What has come so far is kept in %1.</source>
-        <translation>Was bisher kam, wird aufgehoben in %1.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Throw %n pose(s) away?</source>
-        <translation>
-            <numerusform>%n Stellung verwerfen?</numerusform>
-            <numerusform>%n Stellungen verwerfen?</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Throw away</source>
-        <translation>Verwerfen</translation>
     </message>
     <message>
         <source>Open a recording first.</source>
@@ -12346,18 +12301,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>%1 gespeichert.</translation>
     </message>
     <message>
-        <source>Save &amp;recording as …</source>
-        <translation>Auf&amp;nahme speichern unter …</translation>
-    </message>
-    <message>
-        <source>Open the recordings f&amp;older</source>
-        <translation>&amp;Ordner der Aufnahmen öffnen</translation>
-    </message>
-    <message>
-        <source>Go on recording</source>
-        <translation>Weiter aufnehmen</translation>
-    </message>
-    <message>
         <source>No recording at hand?</source>
         <translation>Keine Aufnahme zur Hand?</translation>
     </message>
@@ -12368,10 +12311,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Making a sample recording</source>
         <translation>Beispielaufnahme wird erzeugt</translation>
-    </message>
-    <message>
-        <source>Or guide the virtual arm yourself (third tab above), or look for a hidden fault: menu Practice.</source>
-        <translation>Oder führen Sie selbst den virtuellen Arm (dritter Reiter oben), oder suchen Sie einen versteckten Fehler: Menü „Üben“.</translation>
     </message>
     <message>
         <source>Recent files</source>
@@ -12402,16 +12341,95 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Räume (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Choose a &amp;room …</source>
+        <source>Remove the room</source>
+        <translation>Raum entfernen</translation>
+    </message>
+    <message>
+        <source>Start with a recording</source>
+        <translation>Am Anfang steht eine Aufnahme</translation>
+    </message>
+    <message>
+        <source>Drag the tool, or use the arrow keys; hold Shift to rotate</source>
+        <translation>Ziehen Sie am Werkzeug, oder benutzen Sie die Pfeiltasten; mit Umschalt drehen</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Zufall</translation>
+    </message>
+    <message>
+        <source>any tool</source>
+        <translation>irgendeins</translation>
+    </message>
+    <message>
+        <source>Drag the tool to move the arm.</source>
+        <translation>Ziehen Sie am Werkzeug, um den Arm zu bewegen.</translation>
+    </message>
+    <message>
+        <source>Drag a ring to rotate the tool.</source>
+        <translation>Ziehen Sie an einem Ring, um das Werkzeug zu drehen.</translation>
+    </message>
+    <message>
+        <source>Nothing has been received yet.</source>
+        <translation>Es wurde noch nichts empfangen.</translation>
+    </message>
+    <message>
+        <source>At least two poses are needed.</source>
+        <translation>Mindestens zwei Haltungen sind nötig.</translation>
+    </message>
+    <message>
+        <source>%1 could not be replayed.</source>
+        <translation>%1 konnte nicht abgespielt werden.</translation>
+    </message>
+    <message>
+        <source>There is nothing to show now.</source>
+        <translation>Es gibt jetzt nichts zu zeigen.</translation>
+    </message>
+    <message>
+        <source>The sensor’s mounting on the flange is not stated, so Heft assumes the flange’s axes. If it is mounted differently, the inertia and the exported numbers are wrong.</source>
+        <translation>Wie der Sensor am Flansch sitzt, ist nicht angegeben; Heft nimmt die Achsen des Flansches an. Sitzt er anders, sind Trägheit und ausgegebene Zahlen falsch.</translation>
+    </message>
+    <message>
+        <source>Specify it now …</source>
+        <translation>Jetzt angeben …</translation>
+    </message>
+    <message>
+        <source>A recording is running. Stop it?</source>
+        <translation>Eine Aufnahme läuft. Anhalten?</translation>
+    </message>
+    <message>
+        <source>What has been recorded so far is kept in %1.</source>
+        <translation>Was bisher aufgenommen wurde, bleibt in %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Discard %n pose(s)?</source>
+        <translation>
+            <numerusform>%n Stellung verwerfen?</numerusform>
+            <numerusform>%n Stellungen verwerfen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save recordin&amp;g as …</source>
+        <translation>Aufnahme speichern un&amp;ter …</translation>
+    </message>
+    <message>
+        <source>Open the recordings fol&amp;der</source>
+        <translation>&amp;Ordner der Aufnahmen öffnen</translation>
+    </message>
+    <message>
+        <source>Continue recording</source>
+        <translation>Weiter aufnehmen</translation>
+    </message>
+    <message>
+        <source>Or guide the virtual arm yourself (third tab above), or find a hidden fault: menu Practice.</source>
+        <translation>Oder führen Sie selbst den virtuellen Arm (dritter Reiter oben), oder suchen Sie einen versteckten Fehler: Menü „Üben“.</translation>
+    </message>
+    <message>
+        <source>Choose a r&amp;oom …</source>
         <translation>R&amp;aum wählen …</translation>
     </message>
     <message>
-        <source>&amp;Walls that were touched</source>
-        <translation>Berührte &amp;Wände</translation>
-    </message>
-    <message>
-        <source>Remove the room</source>
-        <translation>Raum entfernen</translation>
+        <source>Walls t&amp;hat were touched</source>
+        <translation>Be&amp;rührte Wände</translation>
     </message>
 </context>
 <context>
@@ -12449,10 +12467,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Jede Aufnahme behält ihren eigenen Nullpunkt und ihr Rauschen; Masse, Schwerpunkt und Trägheit sind gemeinsam. Eine Aufnahme, die den anderen widerspricht, wird weggelassen; Heft sagt es dann.</translation>
     </message>
     <message>
-        <source>The shape and what you know of the tool hold for all of them. Another tool is a session of its own: menu File, New.</source>
-        <translation>Die Form und was Sie vom Werkzeug wissen gelten für alle. Ein anderes Werkzeug ist eine eigene Sitzung: Menü Datei, Neu.</translation>
-    </message>
-    <message>
         <source>&amp;Rename …</source>
         <translation>&amp;Umbenennen …</translation>
     </message>
@@ -12467,6 +12481,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Name in this session; the file keeps its own.</source>
         <translation>Name in dieser Sitzung; die Datei behält ihren.</translation>
+    </message>
+    <message>
+        <source>The shape and your reference values apply to all of them. For another tool, start a new session: menu File, New.</source>
+        <translation>Die Form und Ihre Vergleichswerte gelten für alle. Für ein anderes Werkzeug beginnen Sie eine neue Sitzung: Menü Datei, Neu.</translation>
     </message>
 </context>
 <context>
@@ -12497,7 +12515,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     </message>
     <message>
         <source>residual (grey: noise)</source>
-        <translation>Differenz, grau = Rauschen</translation>
+        <translation>Rest (grau: Rauschen)</translation>
     </message>
     <message>
         <source>Paint</source>
@@ -12532,20 +12550,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Sichtbaren Abschnitt als CSV speichern</translation>
     </message>
     <message>
-        <source>difference</source>
-        <translation>Differenz</translation>
-    </message>
-    <message>
         <source>Drawing the curves</source>
         <translation>Die Kurven werden gezeichnet</translation>
     </message>
     <message>
         <source>Further channels: joints, pose, speeds</source>
         <translation>Weitere Kanäle: Gelenke, Lage, Geschwindigkeiten</translation>
-    </message>
-    <message>
-        <source>Plots alone, or with the rest again</source>
-        <translation>Nur die Kurven, oder wieder mit allem anderen</translation>
     </message>
     <message>
         <source>All of these</source>
@@ -12563,6 +12573,14 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>Copy picture</source>
         <translation>Bild kopieren</translation>
     </message>
+    <message>
+        <source>Maximise the plots, or restore them (F11)</source>
+        <translation>Kurven maximieren oder zurückholen (F11)</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Rest</translation>
+    </message>
 </context>
 <context>
     <name>heft::ResultPanel</name>
@@ -12579,14 +12597,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Öffnen Sie zuerst eine Aufnahme, oder machen Sie eine unter Aufnehmen.</translation>
     </message>
     <message>
-        <source>Weighing the tool …</source>
-        <translation>Das Werkzeug wird gewogen …</translation>
-    </message>
-    <message>
-        <source>Heft reads the motion and the forces in %1.</source>
-        <translation>Heft liest Bewegung und Kräfte in %1.</translation>
-    </message>
-    <message>
         <source>No estimate yet</source>
         <translation>Noch keine Schätzung</translation>
     </message>
@@ -12597,10 +12607,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>1 more note in Details.</source>
         <translation>Noch ein Hinweis unter Details.</translation>
-    </message>
-    <message>
-        <source>%1 more notes under Details.</source>
-        <translation>Noch %1 Hinweise unter Details.</translation>
     </message>
     <message>
         <source>Export these numbers</source>
@@ -12639,10 +12645,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Alle Verfahren</translation>
     </message>
     <message>
-        <source>What would make it better</source>
-        <translation>Was es besser machen würde</translation>
-    </message>
-    <message>
         <source>Record this motion</source>
         <translation>Aufnehmen</translation>
     </message>
@@ -12651,20 +12653,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Woher die Werte kommen</translation>
     </message>
     <message>
-        <source>Compared with what you know</source>
-        <translation>Verglichen mit dem, was Sie wissen</translation>
-    </message>
-    <message>
         <source>Compare with a scale or CAD …</source>
         <translation>Mit Waage oder CAD vergleichen …</translation>
-    </message>
-    <message>
-        <source>Change what you know …</source>
-        <translation>Ändern, was Sie wissen …</translation>
-    </message>
-    <message>
-        <source>Look for the cause</source>
-        <translation>Ursache suchen</translation>
     </message>
     <message>
         <source>What to do</source>
@@ -12691,12 +12681,40 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Details kopieren</translation>
     </message>
     <message>
-        <source>As a table for a spreadsheet or a message</source>
-        <translation>Als Tabelle für eine Tabellenkalkulation oder eine Nachricht</translation>
-    </message>
-    <message>
         <source>Weigh what was picked up</source>
         <translation>Aufgenommenes wiegen</translation>
+    </message>
+    <message>
+        <source>Estimating …</source>
+        <translation>Schätzung läuft …</translation>
+    </message>
+    <message>
+        <source>From the motion and the forces in %1.</source>
+        <translation>Aus Bewegung und Kräften in %1.</translation>
+    </message>
+    <message>
+        <source>%1 more notes in Details.</source>
+        <translation>%1 weitere Hinweise unter Details.</translation>
+    </message>
+    <message>
+        <source>How to improve it</source>
+        <translation>Was es verbessert</translation>
+    </message>
+    <message>
+        <source>Compared with your reference values</source>
+        <translation>Verglichen mit Ihren Werten</translation>
+    </message>
+    <message>
+        <source>Change reference values …</source>
+        <translation>Vergleichswerte ändern …</translation>
+    </message>
+    <message>
+        <source>Find the cause</source>
+        <translation>Ursache finden</translation>
+    </message>
+    <message>
+        <source>As a table, for a spreadsheet or a message</source>
+        <translation>Als Tabelle für eine Tabellenkalkulation oder eine Nachricht</translation>
     </message>
 </context>
 <context>
@@ -12706,16 +12724,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>nach der Aufnahme</translation>
     </message>
     <message>
-        <source>being weighed …</source>
-        <translation>wird gewogen …</translation>
-    </message>
-    <message>
         <source>no estimate yet</source>
         <translation>noch keine Schätzung</translation>
-    </message>
-    <message>
-        <source>%1, check first</source>
-        <translation>%1, erst prüfen</translation>
     </message>
     <message>
         <source>mass not known</source>
@@ -12761,6 +12771,14 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>Something carried: compare &amp;without it …</source>
         <translation>Etwas getragen: &amp;ohne es vergleichen …</translation>
     </message>
+    <message>
+        <source>estimating …</source>
+        <translation>wird geschätzt …</translation>
+    </message>
+    <message>
+        <source>%1, see warnings</source>
+        <translation>%1, siehe Warnungen</translation>
+    </message>
 </context>
 <context>
     <name>heft::RigDialog</name>
@@ -12771,10 +12789,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>What was recorded?</source>
         <translation>Was wurde aufgenommen?</translation>
-    </message>
-    <message>
-        <source>A wrong entry here spoils every number. If you are not sure how the sensor is mounted, leave it: the reality check finds it out.</source>
-        <translation>Ein falscher Eintrag hier verdirbt jeden Wert. Wenn Sie nicht sicher sind, wie der Sensor sitzt, lassen Sie es: Die Realitätsprüfung findet es heraus.</translation>
     </message>
     <message>
         <source>Robot</source>
@@ -12801,20 +12815,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Beschreibung des Roboters (URDF)</translation>
     </message>
     <message>
-        <source>The file with the robot&apos;s joints and links</source>
-        <translation>Die Datei mit Gelenken und Gliedern des Roboters</translation>
-    </message>
-    <message>
         <source>Choose the description of the robot</source>
         <translation>Beschreibung des Roboters wählen</translation>
     </message>
     <message>
         <source>Its URDF</source>
         <translation>Sein URDF</translation>
-    </message>
-    <message>
-        <source>Sensor sits on</source>
-        <translation>Sensor sitzt an</translation>
     </message>
     <message>
         <source>The link of the arm that carries the sensor</source>
@@ -12833,108 +12839,20 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Gieren</translation>
     </message>
     <message>
-        <source>Sensor&apos;s origin from the link, %1</source>
-        <translation>Ursprung des Sensors vom Glied aus, %1</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
-    </message>
-    <message>
-        <source>Sensor turned against the link, %1 (roll, then pitch, then yaw about fixed axes)</source>
-        <translation>Sensor gegen das Glied gedreht, %1 (erst Rollen, dann Nicken, dann Gieren um feste Achsen)</translation>
     </message>
     <message>
         <source> °</source>
         <translation> °</translation>
     </message>
     <message>
-        <source>Gravity along the base&apos;s %1</source>
-        <translation>Schwerkraft entlang %1 des Sockels</translation>
-    </message>
-    <message>
         <source> m/s²</source>
         <translation> m/s²</translation>
     </message>
     <message>
-        <source>Origin x, y, z</source>
-        <translation>Ursprung x, y, z</translation>
-    </message>
-    <message>
-        <source>Turned by</source>
-        <translation>Gedreht um</translation>
-    </message>
-    <message>
-        <source>Forces</source>
-        <translation>Kräfte</translation>
-    </message>
-    <message>
-        <source>Hold the tool still: which way does the force point?</source>
-        <translation>Werkzeug ruhig gehalten: Wohin zeigt die Kraft?</translation>
-    </message>
-    <message>
-        <source>point up when the tool hangs still</source>
-        <translation>zeigen nach oben, wenn das Werkzeug ruhig hängt</translation>
-    </message>
-    <message>
-        <source>point down when the tool hangs still</source>
-        <translation>zeigen nach unten, wenn das Werkzeug ruhig hängt</translation>
-    </message>
-    <message>
-        <source>The robot</source>
-        <translation>Der Roboter</translation>
-    </message>
-    <message>
         <source>Which way gravity pulls at its base</source>
         <translation>Wohin die Schwerkraft an seinem Sockel zieht</translation>
-    </message>
-    <message>
-        <source>stands upright</source>
-        <translation>steht aufrecht</translation>
-    </message>
-    <message>
-        <source>hangs from the ceiling</source>
-        <translation>hängt an der Decke</translation>
-    </message>
-    <message>
-        <source>stands otherwise</source>
-        <translation>steht anders</translation>
-    </message>
-    <message>
-        <source>Gravity x, y, z</source>
-        <translation>Schwerkraft x, y, z</translation>
-    </message>
-    <message>
-        <source>The rows are</source>
-        <translation>Die Zeilen sind</translation>
-    </message>
-    <message>
-        <source>Standing poses: one row each, their times mean nothing</source>
-        <translation>Stehende Posen: je eine Zeile, ihre Zeiten bedeuten nichts</translation>
-    </message>
-    <message>
-        <source>a motion</source>
-        <translation>eine Bewegung</translation>
-    </message>
-    <message>
-        <source>standing poses</source>
-        <translation>stehende Posen</translation>
-    </message>
-    <message>
-        <source>Make of the sensor</source>
-        <translation>Bauart des Sensors</translation>
-    </message>
-    <message>
-        <source>Only for your own record</source>
-        <translation>Nur für Ihre Unterlagen</translation>
-    </message>
-    <message>
-        <source>Written into %1 beside the recording; all else in it stays.</source>
-        <translation>Kommt in %1 neben der Aufnahme; alles andere darin bleibt.</translation>
-    </message>
-    <message>
-        <source>Use it</source>
-        <translation>Übernehmen</translation>
     </message>
     <message>
         <source>Choose the description of the robot that was recorded</source>
@@ -12947,6 +12865,62 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Choose the URDF of the arm, or another robot.</source>
         <translation>Wählen Sie das URDF des Arms oder einen anderen Roboter.</translation>
+    </message>
+    <message>
+        <source>Errors here affect all results. If you are unsure about the mounting, leave it: the reality check can detect it.</source>
+        <translation>Fehler hier wirken auf alle Werte. Wenn Sie beim Anbau nicht sicher sind, lassen Sie ihn: Die Realitätsprüfung kann ihn finden.</translation>
+    </message>
+    <message>
+        <source>The file with the robot’s joints and links</source>
+        <translation>Die Datei mit Gelenken und Gliedern des Roboters</translation>
+    </message>
+    <message>
+        <source>Sensor mounted on</source>
+        <translation>Sensor sitzt an</translation>
+    </message>
+    <message>
+        <source>Sensor’s origin from the link, %1</source>
+        <translation>Ursprung des Sensors vom Glied aus, %1</translation>
+    </message>
+    <message>
+        <source>Sensor’s rotation from the link, %1 (roll, then pitch, then yaw about fixed axes)</source>
+        <translation>Drehung des Sensors gegen das Glied, %1 (erst Rollen, dann Nicken, dann Gieren um feste Achsen)</translation>
+    </message>
+    <message>
+        <source>Gravity along the base’s %1</source>
+        <translation>Schwerkraft entlang %1 des Sockels</translation>
+    </message>
+    <message>
+        <source>Robot mounting</source>
+        <translation>Aufstellung</translation>
+    </message>
+    <message>
+        <source>upright</source>
+        <translation>aufrecht</translation>
+    </message>
+    <message>
+        <source>hanging from the ceiling</source>
+        <translation>hängend an der Decke</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>anders</translation>
+    </message>
+    <message>
+        <source>Sensor model</source>
+        <translation>Sensormodell</translation>
+    </message>
+    <message>
+        <source>For your own reference only</source>
+        <translation>Nur für Ihre Unterlagen</translation>
+    </message>
+    <message>
+        <source>Saved to %1 beside the recording; other entries are kept.</source>
+        <translation>Wird in %1 neben der Aufnahme gespeichert; andere Einträge bleiben.</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Übernehmen</translation>
     </message>
 </context>
 <context>
@@ -12962,14 +12936,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Show the whole arm (F)</source>
         <translation>Den ganzen Arm zeigen (F)</translation>
-    </message>
-    <message>
-        <source>Go close to the tool (T)</source>
-        <translation>Nah ans Werkzeug gehen (T)</translation>
-    </message>
-    <message>
-        <source>Look from another side</source>
-        <translation>Von einer anderen Seite ansehen</translation>
     </message>
     <message>
         <source>Front</source>
@@ -13056,35 +13022,32 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Sensor, Werkzeugseite</translation>
     </message>
     <message>
-        <source>the shape sits on this face</source>
-        <translation>die Form sitzt auf dieser Fläche</translation>
-    </message>
-    <message>
         <source>not known from this motion</source>
         <translation>aus dieser Bewegung nicht bekannt</translation>
     </message>
     <message>
-        <source>3D view alone, or with the rest again</source>
-        <translation>Nur die 3D-Ansicht, oder wieder mit allem anderen</translation>
+        <source>Zoom to the tool (T)</source>
+        <translation>Nah ans Werkzeug (T)</translation>
     </message>
     <message>
-        <source>No joint angles recorded: a Panda is drawn that reaches these poses</source>
+        <source>View direction</source>
+        <translation>Blickrichtung</translation>
+    </message>
+    <message>
+        <source>the shape is mounted here</source>
+        <translation>hier sitzt die Form</translation>
+    </message>
+    <message>
+        <source>Maximise the 3D view, or restore it (Shift+F11)</source>
+        <translation>3D-Ansicht maximieren oder zurückholen (Umschalt+F11)</translation>
+    </message>
+    <message>
+        <source>No joint angles recorded: a Panda that reaches these poses is shown</source>
         <translation>Keine Gelenkwinkel aufgenommen: gezeigt wird ein Panda, der diese Lagen erreicht</translation>
     </message>
 </context>
 <context>
     <name>heft::RoomRow</name>
-    <message numerus="yes">
-        <source>%1: %n obstacle(s), and nothing comes nearer than %2 mm.</source>
-        <translation>
-            <numerusform>%1: %n Hindernis; nichts kommt näher als %2 mm.</numerusform>
-            <numerusform>%1: %n Hindernisse; nichts kommt näher als %2 mm.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>What is in the way</source>
-        <translation>Was im Weg ist</translation>
-    </message>
     <message>
         <source>Choose a room …</source>
         <translation>Raum wählen …</translation>
@@ -13098,10 +13061,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Raum entfernen</translation>
     </message>
     <message>
-        <source>Walls and tables are not known: what the coach proposes keeps the arm off itself and off its tool only.</source>
-        <translation>Wände und Tische sind nicht bekannt: Was der Trainer vorschlägt, hält den Arm nur von sich selbst und seinem Werkzeug fern.</translation>
-    </message>
-    <message>
         <source>A file with walls, tables, boxes and meshes (heft.room/1).</source>
         <translation>Eine Datei mit Wänden, Tischen, Quadern und Netzen (heft.room/1).</translation>
     </message>
@@ -13112,6 +13071,21 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Walls and tables that the tool was pressed against in this recording, by the tool’s shape and the direction of what presses back.</source>
         <translation>Wände und Tische, gegen die das Werkzeug in dieser Aufnahme gedrückt wurde: aus der Form des Werkzeugs und der Richtung des Gegendrucks.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n obstacle(s); everything stays at least %2 mm away.</source>
+        <translation>
+            <numerusform>%1: %n Hindernis; nichts kommt näher als %2 mm.</numerusform>
+            <numerusform>%1: %n Hindernisse; nichts kommt näher als %2 mm.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Obstacles</source>
+        <translation>Hindernisse</translation>
+    </message>
+    <message>
+        <source>Walls and tables are not known: suggested motions only keep the arm clear of itself and its tool.</source>
+        <translation>Wände und Tische sind nicht bekannt: Was der Trainer vorschlägt, hält den Arm nur von sich selbst und seinem Werkzeug fern.</translation>
     </message>
 </context>
 <context>
@@ -13165,16 +13139,16 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>alone erwartet view, plots oder off.</translation>
     </message>
     <message>
-        <source>%1 is no unit; units expects kg, g, mm, inch, Nm, Nmm, degrees or radians.</source>
-        <translation>%1 ist keine Einheit; units erwartet kg, g, mm, inch, Nm, Nmm, degrees oder radians.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; has none of the forms: %2</source>
         <translation>„%1“ passt zu keiner der Formen: %2</translation>
     </message>
     <message>
         <source>Unknown command &quot;%1&quot;; see heft-studio --help.</source>
         <translation>Unbekannter Befehl „%1“; siehe heft-studio --help.</translation>
+    </message>
+    <message>
+        <source>%1 is not a unit; units expects kg, g, mm, inch, Nm, Nmm, degrees or radians.</source>
+        <translation>%1 ist keine Einheit; units erwartet kg, g, mm, inch, Nm, Nmm, degrees oder radians.</translation>
     </message>
 </context>
 <context>
@@ -13216,14 +13190,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Diese Form verwenden</translation>
     </message>
     <message>
-        <source>Go on without a shape</source>
-        <translation>Ohne Form weiter</translation>
-    </message>
-    <message>
-        <source>I don’t know, go on</source>
-        <translation>Weiß ich nicht, weiter</translation>
-    </message>
-    <message>
         <source>I don’t know</source>
         <translation>Weiß ich nicht</translation>
     </message>
@@ -13250,14 +13216,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Fingers</source>
         <translation>Finger</translation>
-    </message>
-    <message>
-        <source>Parts, joined to each other</source>
-        <translation>Teile, miteinander verbunden</translation>
-    </message>
-    <message>
-        <source>take a part away</source>
-        <translation>Teil wegnehmen</translation>
     </message>
     <message>
         <source>add a part</source>
@@ -13312,14 +13270,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Wandstärke</translation>
     </message>
     <message>
-        <source>Weight of everything, from a scale</source>
-        <translation>Gewicht von allem, von einer Waage</translation>
-    </message>
-    <message>
-        <source>Weight of everything</source>
-        <translation>Gewicht von allem</translation>
-    </message>
-    <message>
         <source>not weighed</source>
         <translation>nicht gewogen</translation>
     </message>
@@ -13330,10 +13280,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Position: centred on the sensor, not tilted</source>
         <translation>Wo es sitzt: mitten auf dem Sensor, gerade</translation>
-    </message>
-    <message>
-        <source>Where it sits: %1, %2, %3 mm</source>
-        <translation>Wo es sitzt: %1, %2, %3 mm</translation>
     </message>
     <message>
         <source>, tilted by %1°</source>
@@ -13388,24 +13334,52 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>handles erwartet size, move oder tilt.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no length here: a number from %2 to %3 mm is.</source>
-        <translation>„%1“ ist hier keine Länge: Gefragt ist eine Zahl von %2 bis %3 mm.</translation>
-    </message>
-    <message>
         <source>Choose a CAD file …</source>
         <translation>CAD-Datei wählen …</translation>
-    </message>
-    <message>
-        <source>Until a file is chosen, the result goes by: %1.</source>
-        <translation>Bis eine Datei gewählt ist, gilt im Ergebnis: %1.</translation>
     </message>
     <message>
         <source>choose a CAD file</source>
         <translation>CAD-Datei wählen</translation>
     </message>
     <message>
-        <source>does not fit, left out</source>
-        <translation>passt nicht, weggelassen</translation>
+        <source>Continue without a shape</source>
+        <translation>Ohne Form weiter</translation>
+    </message>
+    <message>
+        <source>I don’t know, continue</source>
+        <translation>Weiß ich nicht, weiter</translation>
+    </message>
+    <message>
+        <source>Parts joined to each other</source>
+        <translation>Teile, miteinander verbunden</translation>
+    </message>
+    <message>
+        <source>remove a part</source>
+        <translation>Teil entfernen</translation>
+    </message>
+    <message>
+        <source>Total weight, from a scale</source>
+        <translation>Gesamtgewicht, von einer Waage</translation>
+    </message>
+    <message>
+        <source>Total weight</source>
+        <translation>Gesamtgewicht</translation>
+    </message>
+    <message>
+        <source>Position: %1, %2, %3 mm</source>
+        <translation>Lage: %1, %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>“%1” is not a valid length. Enter a number from %2 to %3 mm.</source>
+        <translation>„%1“ ist keine gültige Länge. Geben Sie eine Zahl von %2 bis %3 mm ein.</translation>
+    </message>
+    <message>
+        <source>Until a file is chosen, the result uses: %1.</source>
+        <translation>Bis eine Datei gewählt ist, gilt im Ergebnis: %1.</translation>
+    </message>
+    <message>
+        <source>contradicts the data, left out</source>
+        <translation>widerspricht den Daten, weggelassen</translation>
     </message>
 </context>
 <context>
@@ -13435,28 +13409,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>ROS, rosbridge</translation>
     </message>
     <message>
-        <source>Own program</source>
-        <translation>Eigenes Programm</translation>
-    </message>
-    <message>
         <source>JSON over UDP</source>
         <translation>JSON über UDP</translation>
     </message>
     <message>
-        <source>A recording</source>
-        <translation>Eine Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>played as it happened</source>
-        <translation>abgespielt wie geschehen</translation>
-    </message>
-    <message>
         <source>Address of the sensor, for instance 192.168.1.1</source>
         <translation>Adresse des Sensors, zum Beispiel 192.168.1.1</translation>
-    </message>
-    <message>
-        <source>As its web page has it. Heft asks it for its data and changes nothing in it.</source>
-        <translation>Wie die seiner Webseite. Heft fragt nach seinen Daten und ändert nichts an ihm.</translation>
     </message>
     <message>
         <source>Foxglove bridge address (default: localhost:8765)</source>
@@ -13467,20 +13425,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Rechner und Port von foxglove_bridge</translation>
     </message>
     <message>
-        <source>Address of rosbridge; empty: localhost:9090</source>
-        <translation>Adresse von rosbridge; leer: localhost:9090</translation>
-    </message>
-    <message>
         <source>Computer and port of rosbridge_server</source>
         <translation>Rechner und Port von rosbridge_server</translation>
     </message>
     <message>
         <source>UDP port (default: 9870)</source>
         <translation>Port, an den Ihr Programm sendet; leer: 9870</translation>
-    </message>
-    <message>
-        <source>Recording to play</source>
-        <translation>Aufzeichnung zum Abspielen</translation>
     </message>
     <message>
         <source>Any recording that Heft opens</source>
@@ -13511,28 +13461,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Aufbaudatei (NAME.meta.json), falls vorhanden</translation>
     </message>
     <message>
-        <source>Says which robot it is, how the sensor is mounted and which sign its forces have</source>
-        <translation>Sagt, welcher Roboter es ist, wie der Sensor sitzt und welches Vorzeichen seine Kräfte haben</translation>
-    </message>
-    <message>
         <source>Choose a setup file</source>
         <translation>Aufbaudatei wählen</translation>
     </message>
     <message>
         <source>Setup files (*.json)</source>
         <translation>Aufbaudateien (*.json)</translation>
-    </message>
-    <message>
-        <source>The sensor&apos;s address is missing.</source>
-        <translation>Die Adresse des Sensors fehlt.</translation>
-    </message>
-    <message>
-        <source>Which recording is to be played?</source>
-        <translation>Welche Aufzeichnung soll abgespielt werden?</translation>
-    </message>
-    <message>
-        <source>Standing poses cannot be played as a motion.</source>
-        <translation>Stehende Posen lassen sich nicht als Bewegung abspielen.</translation>
     </message>
     <message>
         <source>Universal Robots</source>
@@ -13543,24 +13477,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Adresse des Roboters, zum Beispiel 192.168.0.10</translation>
     </message>
     <message>
-        <source>An e-Series of Universal Robots with its own force sensor. Heft reads and writes nothing to it.</source>
-        <translation>Eine e-Series von Universal Robots mit eigenem Kraftsensor. Heft liest nur und schreibt nichts in die Steuerung.</translation>
-    </message>
-    <message>
         <source>UR</source>
         <translation>UR</translation>
-    </message>
-    <message>
-        <source>The robot&apos;s address is missing.</source>
-        <translation>Die Adresse des Roboters fehlt.</translation>
-    </message>
-    <message>
-        <source>Without it the recording’s own is used.</source>
-        <translation>Ohne sie gilt die der Aufnahme.</translation>
-    </message>
-    <message>
-        <source>Without it Heft takes the arm for a Franka Panda, and asks:</source>
-        <translation>Ohne sie hält Heft den Arm für einen Franka Panda und fragt:</translation>
     </message>
     <message>
         <source>Where is the sensor’s measuring point?</source>
@@ -13583,43 +13501,83 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Abstand entlang der Flanschachse</translation>
     </message>
     <message>
-        <source>Heft takes it for the flange’s own axes now and asks again after the recording.</source>
+        <source>One JSON object per datagram: time [s], q1 … q7 [rad], fx fy fz [N], tx ty tz [N m]. Only from this computer.</source>
+        <translation>Datagramme mit je einem JSON-Objekt: time [s], q1 … q7 [rad], fx fy fz [N], tx ty tz [N m]. Nur von diesem Rechner.</translation>
+    </message>
+    <message>
+        <source>Custom program</source>
+        <translation>Eigenes Programm</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>replayed in real time</source>
+        <translation>in Echtzeit abgespielt</translation>
+    </message>
+    <message>
+        <source>As shown on the sensor’s web page. Heft only reads its data.</source>
+        <translation>Wie auf der Webseite des Sensors. Heft liest nur seine Daten.</translation>
+    </message>
+    <message>
+        <source>rosbridge address (default: localhost:9090)</source>
+        <translation>Adresse von rosbridge (sonst localhost:9090)</translation>
+    </message>
+    <message>
+        <source>Recording to replay</source>
+        <translation>Aufnahme zum Abspielen</translation>
+    </message>
+    <message>
+        <source>States the robot, the sensor’s mounting and the sign of its forces</source>
+        <translation>Sagt, welcher Roboter es ist, wie der Sensor sitzt und welches Vorzeichen seine Kräfte haben</translation>
+    </message>
+    <message>
+        <source>Enter the sensor’s address.</source>
+        <translation>Geben Sie die Adresse des Sensors ein.</translation>
+    </message>
+    <message>
+        <source>Choose a recording to replay.</source>
+        <translation>Wählen Sie eine Aufnahme zum Abspielen.</translation>
+    </message>
+    <message>
+        <source>Standing poses cannot be replayed as a motion.</source>
+        <translation>Stehende Posen lassen sich nicht als Bewegung abspielen.</translation>
+    </message>
+    <message>
+        <source>A Universal Robots e-Series with its own force sensor. Heft only reads from it.</source>
+        <translation>Eine e-Series von Universal Robots mit eigenem Kraftsensor. Heft liest nur und schreibt nichts in die Steuerung.</translation>
+    </message>
+    <message>
+        <source>Enter the robot’s address.</source>
+        <translation>Geben Sie die Adresse des Roboters ein.</translation>
+    </message>
+    <message>
+        <source>Without one, the recording’s own is used.</source>
+        <translation>Ohne eine gilt die der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Without one, Heft assumes a Franka Panda, and asks:</source>
+        <translation>Ohne eine nimmt Heft einen Franka Panda an und fragt:</translation>
+    </message>
+    <message>
+        <source>Heft assumes the flange’s axes for now and asks again after the recording.</source>
         <translation>Heft nimmt jetzt die Achsen des Flansches an und fragt nach der Aufnahme noch einmal.</translation>
     </message>
     <message>
-        <source>Its axes are taken to lie as the flange’s; a rotated sensor needs a setup file.</source>
-        <translation>Seine Achsen gelten als parallel zu denen des Flansches; ein verdrehter Sensor braucht eine Aufbaudatei.</translation>
+        <source>Heft assumes the flange’s axes; a rotated sensor needs a setup file.</source>
+        <translation>Heft nimmt die Achsen des Flansches an; ein verdrehter Sensor braucht eine Aufbaudatei.</translation>
     </message>
     <message>
-        <source>Enter where the sensor’s measuring point is, or choose a setup file.</source>
-        <translation>Sagen Sie, wo der Messpunkt des Sensors ist, oder wählen Sie eine Aufbaudatei.</translation>
-    </message>
-    <message>
-        <source>One JSON object per datagram: time [s], q1 … q7 [rad], fx fy fz [N], tx ty tz [N m]. Only from this computer.</source>
-        <translation>Datagramme mit je einem JSON-Objekt: time [s], q1 … q7 [rad], fx fy fz [N], tx ty tz [N m]. Nur von diesem Rechner.</translation>
+        <source>Enter the sensor’s measuring point, or choose a setup file.</source>
+        <translation>Geben Sie den Messpunkt des Sensors ein, oder wählen Sie eine Aufbaudatei.</translation>
     </message>
 </context>
 <context>
     <name>heft::SourcesDialog</name>
     <message>
-        <source>Where the numbers come from</source>
-        <translation>Woher die Werte kommen</translation>
-    </message>
-    <message>
-        <source>Which column is what?</source>
-        <translation>Welche Spalte ist was?</translation>
-    </message>
-    <message>
-        <source>Heft guesses from types and names in %1. Change what it took wrongly.</source>
-        <translation>Heft schließt aus Typen und Namen in %1. Ändern Sie, was es falsch genommen hat.</translation>
-    </message>
-    <message>
         <source>Force and torque</source>
         <translation>Kraft und Moment</translation>
-    </message>
-    <message>
-        <source>As the sensor at the wrist measured them</source>
-        <translation>Wie der Sensor am Handgelenk sie gemessen hat</translation>
     </message>
     <message>
         <source>N and N m</source>
@@ -13634,10 +13592,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Gelenkwinkel</translation>
     </message>
     <message>
-        <source>With them Heft needs no pose</source>
-        <translation>Mit ihnen braucht Heft keine Pose</translation>
-    </message>
-    <message>
         <source>radians</source>
         <translation>Bogenmaß</translation>
     </message>
@@ -13648,10 +13602,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Joint speeds</source>
         <translation>Gelenkgeschwindigkeiten</translation>
-    </message>
-    <message>
-        <source>Only beside joint angles; Heft can do without</source>
-        <translation>Nur neben Gelenkwinkeln; Heft kommt ohne sie aus</translation>
     </message>
     <message>
         <source>rad/s</source>
@@ -13714,32 +13664,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>ns</translation>
     </message>
     <message>
-        <source>Kept in %1 beside the recording; the command line reads it, too.</source>
-        <translation>Bleibt in %1 neben der Aufnahme; die Befehlszeile liest es auch.</translation>
-    </message>
-    <message>
-        <source>Read it so</source>
-        <translation>So lesen</translation>
-    </message>
-    <message>
-        <source>Back to Heft’s guess</source>
-        <translation>Zurück zu Hefts Wahl</translation>
-    </message>
-    <message>
         <source>Unit of: %1</source>
         <translation>Einheit von: %1</translation>
-    </message>
-    <message>
-        <source>In which unit the file holds it</source>
-        <translation>In welcher Einheit es in der Datei steht</translation>
-    </message>
-    <message>
-        <source>Poses are those of</source>
-        <translation>Posen sind die von</translation>
-    </message>
-    <message>
-        <source>The sensor&apos;s follow from the flange&apos;s by how it is mounted</source>
-        <translation>Die des Sensors folgen aus denen des Flanschs und seinem Anbau</translation>
     </message>
     <message>
         <source>the sensor</source>
@@ -13758,20 +13684,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Sekunden, die zu den Zeiten von Kraft und Moment kommen</translation>
     </message>
     <message>
-        <source>Where the clock of force and torque is another one and Heft cannot find out by how much</source>
-        <translation>Wo Kraft und Moment eine andere Uhr haben und Heft nicht herausfindet, um wie viel</translation>
-    </message>
-    <message>
         <source> s</source>
         <translation> s</translation>
     </message>
     <message>
         <source>Add another file…</source>
         <translation>Eine Datei dazunehmen …</translation>
-    </message>
-    <message>
-        <source>For instance the sensor&apos;s own log beside the robot&apos;s</source>
-        <translation>Zum Beispiel die Aufzeichnung des Sensors neben der des Roboters</translation>
     </message>
     <message>
         <source>Choose columns individually</source>
@@ -13782,20 +13700,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Spalte für %1</translation>
     </message>
     <message>
-        <source>Where %1 is read from</source>
-        <translation>Woher %1 gelesen wird</translation>
-    </message>
-    <message>
         <source>Add a file recorded with it</source>
         <translation>Eine Datei dazunehmen</translation>
-    </message>
-    <message>
-        <source>Leave %1 out again</source>
-        <translation>%1 wieder weglassen</translation>
-    </message>
-    <message>
-        <source>Looking …</source>
-        <translation>Wird angesehen …</translation>
     </message>
     <message>
         <source>This can be read.</source>
@@ -13806,24 +13712,92 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>wie oben</translation>
     </message>
     <message>
-        <source>Heft’s choice</source>
-        <translation>Hefts Wahl</translation>
-    </message>
-    <message>
-        <source>Heft’s choice: %1</source>
-        <translation>Hefts Wahl: %1</translation>
-    </message>
-    <message>
-        <source>none found</source>
-        <translation>nichts gefunden</translation>
-    </message>
-    <message>
         <source>times %1</source>
         <translation>mal %1</translation>
     </message>
     <message>
         <source>%1 could not be removed: check that the folder may be written to.</source>
         <translation>%1 ließ sich nicht entfernen: Prüfen Sie, ob in den Ordner geschrieben werden darf.</translation>
+    </message>
+    <message>
+        <source>Columns and units</source>
+        <translation>Spalten und Einheiten</translation>
+    </message>
+    <message>
+        <source>Which column is which?</source>
+        <translation>Welche Spalte ist was?</translation>
+    </message>
+    <message>
+        <source>Heft assigned the columns of %1 by type and name. Correct anything that is wrong.</source>
+        <translation>Heft hat die Spalten von %1 nach Typ und Namen zugeordnet. Berichtigen Sie, was falsch ist.</translation>
+    </message>
+    <message>
+        <source>As measured by the sensor at the wrist</source>
+        <translation>Wie der Sensor am Handgelenk sie gemessen hat</translation>
+    </message>
+    <message>
+        <source>With joint angles, no pose is needed</source>
+        <translation>Mit Gelenkwinkeln ist keine Pose nötig</translation>
+    </message>
+    <message>
+        <source>Only with joint angles; optional</source>
+        <translation>Nur mit Gelenkwinkeln; kann fehlen</translation>
+    </message>
+    <message>
+        <source>Saved to %1 beside the recording; also used by the command line.</source>
+        <translation>Wird in %1 neben der Aufnahme gespeichert; auch die Befehlszeile benutzt es.</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Unit used in the file</source>
+        <translation>Einheit in der Datei</translation>
+    </message>
+    <message>
+        <source>Poses describe</source>
+        <translation>Posen beschreiben</translation>
+    </message>
+    <message>
+        <source>The sensor’s poses are derived from the flange’s by its mounting</source>
+        <translation>Die Posen des Sensors folgen aus denen des Flanschs und seinem Anbau</translation>
+    </message>
+    <message>
+        <source>For force and torque on another clock, where Heft cannot determine the offset</source>
+        <translation>Für Kraft und Moment auf einer anderen Uhr, wenn Heft den Versatz nicht bestimmen kann</translation>
+    </message>
+    <message>
+        <source>For instance the sensor’s own log beside the robot’s</source>
+        <translation>Zum Beispiel die Aufzeichnung des Sensors neben der des Roboters</translation>
+    </message>
+    <message>
+        <source>Source of %1</source>
+        <translation>Quelle von %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Wird geprüft …</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>automatic: %1</source>
+        <translation>automatisch: %1</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nichts gefunden</translation>
     </message>
 </context>
 <context>
@@ -13833,12 +13807,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Fortschritt</translation>
     </message>
     <message>
-        <source>Stop this</source>
-        <translation>Das anhalten</translation>
-    </message>
-    <message>
         <source>Stopping …</source>
         <translation>Hält an …</translation>
+    </message>
+    <message>
+        <source>Stop this task</source>
+        <translation>Diese Aufgabe anhalten</translation>
     </message>
 </context>
 <context>
@@ -13894,7 +13868,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>%1 muss %2 liegen.</translation>
     </message>
     <message>
-        <source>“%1” is no number: %2 must be %3.</source>
+        <source>“%1” is not a number: %2 must be %3.</source>
         <translation>„%1“ ist keine Zahl: %2 muss %3 liegen.</translation>
     </message>
 </context>
@@ -13909,16 +13883,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Gewicht von der Waage, falls bekannt</translation>
     </message>
     <message>
-        <source>found out</source>
-        <translation>wird ermittelt</translation>
-    </message>
-    <message>
         <source>not weighed</source>
         <translation>nicht gewogen</translation>
-    </message>
-    <message>
-        <source>Inside</source>
-        <translation>Innen</translation>
     </message>
     <message>
         <source>Solid</source>
@@ -13945,10 +13911,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Material</translation>
     </message>
     <message>
-        <source>Only if the whole tool is made of it; may be left open.</source>
-        <translation>Nur wenn das ganze Werkzeug daraus ist; darf offen bleiben.</translation>
-    </message>
-    <message>
         <source>not known</source>
         <translation>unbekannt</translation>
     </message>
@@ -13957,7 +13919,19 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>%1 kg/m³</translation>
     </message>
     <message>
-        <source>In %1 this weighs %2.</source>
+        <source>estimated</source>
+        <translation>wird ermittelt</translation>
+    </message>
+    <message>
+        <source>Interior</source>
+        <translation>Innen</translation>
+    </message>
+    <message>
+        <source>Only if the whole tool is made of it; optional.</source>
+        <translation>Nur wenn das ganze Werkzeug daraus ist; kann offen bleiben.</translation>
+    </message>
+    <message>
+        <source>In %1, this would weigh %2.</source>
         <translation>Aus %1 wiegt das %2.</translation>
     </message>
 </context>
@@ -13999,20 +13973,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Alles beginnt mit einer Aufnahme: Der Arm bewegte sich mit seinem Werkzeug, der Sensor maß. In diesem Beispiel zieht ein Schlauch am Werkzeug, und niemand hat es Heft gesagt. Die Leertaste lässt den Arm laufen.</translation>
     </message>
     <message>
-        <source>Only segments in which the tool touched nothing tell its weight. Heft has sorted them; everything is free here. In your own recordings you can paint over what Heft took wrongly.</source>
-        <translation>Nur Abschnitte, in denen das Werkzeug nichts berührt, verraten sein Gewicht. Heft hat sie sortiert; hier ist alles frei. In eigenen Aufnahmen übermalen Sie, was Heft falsch einordnet.</translation>
-    </message>
-    <message>
         <source>If you know roughly what the tool looks like, describe it here: it helps where the motion shows too little. “I don’t know” is a fine answer, and right for now.</source>
         <translation>Wenn Sie ungefähr wissen, wie das Werkzeug aussieht, sagen Sie es hier: Es hilft, wo die Bewegung zu wenig zeigt. „Weiß ich nicht“ ist eine gute Antwort, und für jetzt die richtige.</translation>
-    </message>
-    <message>
-        <source>The weight, and how certain Heft is. The triangles mean: check first, something besides a rigid tool is at work. The tool of this sample really weighs 0.800 kg.</source>
-        <translation>Das Gewicht, und wie sicher Heft ist. Die Dreiecke sagen: erst prüfen, hier wirkt etwas außer einem starren Werkzeug. In Wahrheit wiegt das Werkzeug dieses Beispiels 0,800 kg.</translation>
-    </message>
-    <message>
-        <source>Choose your controller, look at the file, save it. That is all. Go on with a recording of your own, with the virtual arm, or with a hidden fault from the menu Practice.</source>
-        <translation>Wählen Sie Ihre Steuerung, sehen Sie die Datei an, speichern Sie sie. Das ist alles. Weiter geht es mit einer eigenen Aufnahme, mit dem virtuellen Arm oder mit einem versteckten Fehler aus dem Menü Üben.</translation>
     </message>
     <message>
         <source>Tour</source>
@@ -14042,6 +14004,18 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>Here Heft names the cause and draws it on the arm. Press “Apply this correction”, look at the curves below the arm, then at step 4: the number has come close to the truth.</source>
         <translation>Hier sagt Heft, was es ist, und zeichnet es an den Arm. Wenden Sie die Korrektur an, sehen Sie auf die Kurven unter dem Arm und dann auf Schritt 4: Der Wert ist nahe an der Wahrheit.</translation>
     </message>
+    <message>
+        <source>Only segments without contact are used. Heft has marked them; everything is free here. In your own recordings you can paint over marks that are wrong.</source>
+        <translation>Nur Abschnitte ohne Kontakt werden benutzt. Heft hat sie markiert; hier ist alles frei. In eigenen Aufnahmen übermalen Sie falsche Marken.</translation>
+    </message>
+    <message>
+        <source>The weight, and how certain it is. The triangles are warnings: something other than a rigid tool affects the readings. The tool of this sample really weighs 0.800 kg.</source>
+        <translation>Das Gewicht, und wie sicher es ist. Die Dreiecke warnen: Etwas anderes als ein starres Werkzeug wirkt auf die Messwerte. In Wahrheit wiegt das Werkzeug dieses Beispiels 0,800 kg.</translation>
+    </message>
+    <message>
+        <source>Choose your controller, look at the file, save it. That is all. Continue with a recording of your own, with the virtual arm, or with an exercise from the menu Practice.</source>
+        <translation>Wählen Sie Ihre Steuerung, sehen Sie die Datei an, speichern Sie sie. Das ist alles. Weiter geht es mit einer eigenen Aufnahme, mit dem virtuellen Arm oder mit einer Übung aus dem Menü Üben.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Viewport</name>
@@ -14053,16 +14027,16 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::WeightField</name>
     <message>
-        <source>What the scale shows for everything behind the sensor; may be left open.</source>
-        <translation>Was die Waage für alles hinter dem Sensor zeigt; darf offen bleiben.</translation>
-    </message>
-    <message>
         <source>Unit of the weight</source>
         <translation>Einheit des Gewichts</translation>
     </message>
     <message>
         <source>“%1” is not a weight. Enter e.g. 0.8 kg or 800 g, or leave it blank.</source>
         <translation>„%1“ ist kein Gewicht: Schreiben Sie eine Zahl wie 0,8 kg oder 800 g, oder lassen Sie das Feld leer.</translation>
+    </message>
+    <message>
+        <source>What the scale shows for everything behind the sensor; optional.</source>
+        <translation>Was die Waage für alles hinter dem Sensor zeigt; kann offen bleiben.</translation>
     </message>
 </context>
 <context>
@@ -14096,16 +14070,16 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>whatif erwartet on, off oder Ursachen mit ihren Größen: whatif time_offset 12.</translation>
     </message>
     <message>
-        <source>The sliders are being made ready …</source>
+        <source>There is no slider %1 on this recording.</source>
+        <translation>Für diese Aufnahme gibt es keinen Regler %1.</translation>
+    </message>
+    <message>
+        <source>Preparing the sliders …</source>
         <translation>Die Regler werden vorbereitet …</translation>
     </message>
     <message>
-        <source>Making the sliders ready</source>
+        <source>Preparing the sliders</source>
         <translation>Regler werden vorbereitet</translation>
-    </message>
-    <message>
-        <source>There is no slider %1 on this recording.</source>
-        <translation>Für diese Aufnahme gibt es keinen Regler %1.</translation>
     </message>
 </context>
 <context>
@@ -14135,14 +14109,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Kein Fehler ist an: So ist die Aufnahme.</translation>
     </message>
     <message>
-        <source>Nobody would see it in this motion, and the numbers are wrong all the same.</source>
-        <translation>In dieser Bewegung sähe es niemand, und die Zahlen sind trotzdem falsch.</translation>
-    </message>
-    <message>
-        <source>Nobody would see it in this motion, and it does no harm.</source>
-        <translation>In dieser Bewegung sähe es niemand, und es schadet nicht.</translation>
-    </message>
-    <message>
         <source>Nothing else looks like it: “%1” explains %2 % of it at most.</source>
         <translation>Nichts anderes sieht so aus: „%1“ erklärt davon höchstens %2 %.</translation>
     </message>
@@ -14151,16 +14117,24 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Es sieht aus wie „%1“ %2: Das erklärt %3 % davon. Zum Entscheiden: %4</translation>
     </message>
     <message>
-        <source>Force left over [%1]</source>
-        <translation>Übrige Kraft [%1]</translation>
+        <source>Not visible in this motion, and the numbers are wrong all the same.</source>
+        <translation>In dieser Bewegung nicht zu sehen, und die Zahlen sind trotzdem falsch.</translation>
     </message>
     <message>
-        <source>Torque left over [%1]</source>
-        <translation>Übriges Drehmoment [%1]</translation>
+        <source>Not visible in this motion, and harmless.</source>
+        <translation>In dieser Bewegung nicht zu sehen und harmlos.</translation>
     </message>
     <message>
-        <source>It would be seen: %1 N and %2 are left over, %3 N and %4 without it.</source>
-        <translation>Man sähe es: %1 N und %2 bleiben übrig, ohne den Fehler %3 N und %4.</translation>
+        <source>Residual force [%1]</source>
+        <translation>Rest, Kraft [%1]</translation>
+    </message>
+    <message>
+        <source>Residual torque [%1]</source>
+        <translation>Rest, Moment [%1]</translation>
+    </message>
+    <message>
+        <source>Visible: the residual is %1 N and %2, and %3 N and %4 without it.</source>
+        <translation>Zu sehen: Der Rest beträgt %1 N und %2, ohne den Fehler %3 N und %4.</translation>
     </message>
 </context>
 <context>
@@ -14180,10 +14154,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Estimating</source>
         <translation>Schätzen</translation>
-    </message>
-    <message>
-        <source>take back a mark</source>
-        <translation>Marke zurücknehmen</translation>
     </message>
     <message>
         <source>mark as free</source>
@@ -14213,6 +14183,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>a result for each recording</source>
         <translation>ein Ergebnis für jede Aufnahme</translation>
     </message>
+    <message>
+        <source>remove a mark</source>
+        <translation>Marke entfernen</translation>
+    </message>
 </context>
 <context>
     <name>heft::WrenchPlots</name>
@@ -14227,10 +14201,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Force</source>
         <translation>Kraft</translation>
-    </message>
-    <message>
-        <source>difference</source>
-        <translation>Differenz</translation>
     </message>
     <message>
         <source>Torque</source>
@@ -14259,6 +14229,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Scale the values to the curves</source>
         <translation>Werte an die Kurven anpassen</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Rest</translation>
     </message>
 </context>
 </TS>

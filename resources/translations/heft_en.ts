@@ -14,10 +14,10 @@
 <context>
     <name>Joining</name>
     <message numerus="yes">
-        <source>These numbers rest on %n recordings together: %1.</source>
+        <source>Joint result from %n recordings: %1.</source>
         <translation>
-            <numerusform>These numbers rest on %n recording: %1.</numerusform>
-            <numerusform>These numbers rest on %n recordings together: %1.</numerusform>
+            <numerusform>Joint result from %n recording: %1.</numerusform>
+            <numerusform>Joint result from %n recordings: %1.</numerusform>
         </translation>
     </message>
 </context>
@@ -69,29 +69,15 @@
 <context>
     <name>MarkText</name>
     <message numerus="yes">
-        <source>Only free parts are used. Please check %n stretch(es).</source>
-        <translation type="vanished">
-            <numerusform>Only free parts are used. Please check %n stretch.</numerusform>
-            <numerusform>Only free parts are used. Please check %n stretches.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Only free parts are used. Please check %n segment(es).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <source>Only free segments are used. Please review %n suggestion(s).</source>
+        <translation>
+            <numerusform>Only free segments are used. Please review %n suggestion.</numerusform>
+            <numerusform>Only free segments are used. Please review %n suggestions.</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>RealityPage</name>
-    <message numerus="yes">
-        <source>%n cause(s) found, something is left</source>
-        <translation>
-            <numerusform>One cause found, something is left</numerusform>
-            <numerusform>%n causes found, something is left</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%n correction(s) applied</source>
         <translation>
@@ -128,10 +114,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Also considered: %n cause(s)</source>
+        <source>%n cause(s) found, part unexplained</source>
         <translation>
-            <numerusform>Also considered: %n cause</numerusform>
-            <numerusform>Also considered: %n causes</numerusform>
+            <numerusform>One cause found, part unexplained</numerusform>
+            <numerusform>%n causes found, part unexplained</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Also tested: %n cause(s)</source>
+        <translation>
+            <numerusform>Also tested: %n cause</numerusform>
+            <numerusform>Also tested: %n causes</numerusform>
         </translation>
     </message>
 </context>
@@ -158,31 +151,17 @@
 <context>
     <name>heft::LiveBoard</name>
     <message numerus="yes">
-        <source>%n part(s) without a partner</source>
-        <translation type="vanished">
-            <numerusform>%n part without a partner</numerusform>
-            <numerusform>%n parts without a partner</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n stretch(es) look touched. You can check them in Mark.</source>
-        <translation type="vanished">
-            <numerusform>%n stretch looks touched. You can check it in Mark.</numerusform>
-            <numerusform>%n stretches look touched. You can check them in Mark.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n unmatched sample(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n unmatched sample</numerusform>
+            <numerusform>%n unmatched samples</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n segment(es) look touched. You can check them in Mark.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <source>%n possible contact(s). You can review them in Mark.</source>
+        <translation>
+            <numerusform>%n possible contact. You can review it in Mark.</numerusform>
+            <numerusform>%n possible contacts. You can review them in Mark.</numerusform>
         </translation>
     </message>
 </context>
@@ -220,10 +199,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n finding(s) that Heft allows for</source>
+        <source>%n finding(s) already compensated</source>
         <translation>
-            <numerusform>%n finding that Heft allows for</numerusform>
-            <numerusform>%n findings that Heft allows for</numerusform>
+            <numerusform>%n finding already compensated</numerusform>
+            <numerusform>%n findings already compensated</numerusform>
         </translation>
     </message>
 </context>
@@ -244,20 +223,20 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Throw %n pose(s) away?</source>
+        <source>Discard %n pose(s)?</source>
         <translation>
-            <numerusform>Throw %n pose away?</numerusform>
-            <numerusform>Throw %n poses away?</numerusform>
+            <numerusform>Discard %n pose?</numerusform>
+            <numerusform>Discard %n poses?</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>heft::RoomRow</name>
     <message numerus="yes">
-        <source>%1: %n obstacle(s), and nothing comes nearer than %2 mm.</source>
+        <source>%1: %n obstacle(s); everything stays at least %2 mm away.</source>
         <translation>
-            <numerusform>%1: %n obstacle, and nothing comes nearer than %2 mm.</numerusform>
-            <numerusform>%1: %n obstacles, and nothing comes nearer than %2 mm.</numerusform>
+            <numerusform>%1: %n obstacle; everything stays at least %2 mm away.</numerusform>
+            <numerusform>%1: %n obstacles; everything stays at least %2 mm away.</numerusform>
         </translation>
     </message>
 </context>

@@ -122,7 +122,7 @@ TEST_F(ConventionsTest, AReplaySaysAtOnceWhatTheNumbersMeanAndCanObey) {
   ASSERT_EQ(stated.exitCode, 0) << stated.err;
   EXPECT_THAT(stated.err, HasSubstr("The force is given in the robot's base axes"));
   EXPECT_THAT(stated.err, HasSubstr("--conventions suggested"));
-  EXPECT_THAT(stated.err, HasSubstr("no weight: "));
+  EXPECT_THAT(stated.err, HasSubstr("no mass: "));
   EXPECT_EQ(readJson("stated.json")["trust"], "none");
   const Outcome so = heft({"live", "replay:odd.csv?speed=4", "--conventions", "suggested", "--json", "suggested.json"});
   ASSERT_EQ(so.exitCode, 0) << so.err;
@@ -171,7 +171,7 @@ TEST_F(ConventionsTest, WhatIsNotStatedIsSaidAndCanBeObeyed) {
   EXPECT_THAT(text.out, HasSubstr("--conventions suggested"));
   EXPECT_THAT(text.out, testing::Not(HasSubstr("Your tool weighs")));
   write("odd.json", stated.dump());
-  EXPECT_TRUE(failedWithOneSentence(heft({"export", "odd.json", "--format", "ur"}), "cannot be trusted"));
+  EXPECT_TRUE(failedWithOneSentence(heft({"export", "odd.json", "--format", "ur"}), "are not reliable"));
   const json suggested = resultOf({"estimate", "odd.csv", "--conventions", "suggested"});
   const json plain = resultOf({"estimate", "plain.csv"});
   const double mass = plain["payload"]["mass_kg"];

@@ -61,7 +61,7 @@ TEST_F(EachTest, GoesOnWhereItStopped) {
   // As if it had been stopped while the last line was being written.
   write("out.jsonl", whole.substr(0, whole.size() - 100));
   const Outcome again = each({});
-  EXPECT_THAT(again.err, HasSubstr("3 of 4 recordings have a line already."));
+  EXPECT_THAT(again.err, HasSubstr("3 of 4 recordings already have a line."));
   EXPECT_EQ(lines().size(), 4u);
   const std::string done = read("out.jsonl");
   const Outcome nothingLeft = each({});

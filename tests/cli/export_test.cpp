@@ -231,7 +231,7 @@ TEST_F(ExportTest, RefusesWhatIsNotTrusted) {
   content["trust"] = "none";
   writeResult(content);
   const std::vector<std::string> plain{"export", "result.json", "--format", "json", "-o", "tool.json"};
-  EXPECT_TRUE(failedWithOneSentence(heft(plain), "cannot be trusted"));
+  EXPECT_TRUE(failedWithOneSentence(heft(plain), "are not reliable"));
   EXPECT_FALSE(exists("tool.json"));
   auto forced = plain;
   forced.push_back("--force");

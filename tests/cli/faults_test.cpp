@@ -74,7 +74,7 @@ TEST_F(FaultsTest, SimulateKeepsAMetaFileThatAPersonChanged) {
     if (!withCsv) std::filesystem::remove(path("rec.csv"));
     const std::string csv = withCsv ? read("rec.csv") : "";
     EXPECT_TRUE(failedWithOneSentence(heft({"simulate", "--motion", "free", "--duration", "2", "-o", "rec.csv"}),
-                                      "rec.meta.json exists already and was left as it is"));
+                                      "rec.meta.json already exists and was not overwritten"));
     EXPECT_EQ(read("rec.meta.json"), meta.dump(1));
     EXPECT_EQ(withCsv ? read("rec.csv") : "", csv);
     EXPECT_EQ(heft({"simulate", "--motion", "free", "--duration", "2", "-o", "rec.csv", "--force"}).exitCode, 0);
@@ -124,7 +124,7 @@ TEST_F(FaultsTest, WhenTheRecordingsDiskIsFullTheEstimateGoesOn) {
                {.fileSize = 200'000});
   const Outcome run = live.wait();
   EXPECT_EQ(run.exitCode, 1);
-  EXPECT_THAT(run.err, HasSubstr("full.csv cannot be written any further"));
+  EXPECT_THAT(run.err, HasSubstr("full.csv can no longer be written"));
   EXPECT_THAT(run.err, HasSubstr("The estimate goes on."));
   const auto result = nlohmann::json::parse(run.out);
   EXPECT_GT(result["recording"]["samples"].get<int>(), 2500) << "samples that came after the disk was full, too";
@@ -156,7 +156,7 @@ TEST_F(FaultsTest, AVanishedFolderStillPrintsTheResult) {
   std::filesystem::remove_all(path("gone"));
   const Outcome run = live.wait();
   EXPECT_EQ(run.exitCode, 1);
-  EXPECT_THAT(run.err, HasSubstr("rec.csv was deleted while it was written. The estimate goes on."));
+  EXPECT_THAT(run.err, HasSubstr("rec.csv was deleted while it was being written. The estimate goes on."));
   EXPECT_THAT(run.out, HasSubstr("Mass"));
 }
 

@@ -40,7 +40,7 @@ TEST_F(PassportCommandTest, HoldsNumbersProofAndCausesOnOnePage) {
   EXPECT_TRUE(made["looked_for_causes"].get<bool>());
   EXPECT_FALSE(made["not_seen"].empty());
   const std::string page = read("first.html");
-  for (const char* text : {"Gripper 3", "PASS", "Could not have been seen: ", "None was found.", "kg cm²"})
+  for (const char* text : {"Gripper 3", "PASS", "Not detectable in this recording: ", "None was found.", "kg cm²"})
     EXPECT_THAT(page, HasSubstr(text));
 
   // The next one says what changed.
@@ -61,9 +61,9 @@ TEST_F(PassportCommandTest, CausesThatWereTakenOutAreSaidToBe) {
                 .exitCode,
             0);
   ASSERT_FALSE(readJson("found.json")["causes"].empty());
-  EXPECT_THAT(passport({"--causes", "found.json"}).out, HasSubstr("It is taken out of the numbers."));
+  EXPECT_THAT(passport({"--causes", "found.json"}).out, HasSubstr("The numbers are corrected for it."));
   ASSERT_EQ(heft({"estimate", "monday.csv", "--json", "monday.json"}).exitCode, 0);
-  EXPECT_THAT(passport({"--causes", "found.json"}).out, HasSubstr("It is not taken out of the numbers."));
+  EXPECT_THAT(passport({"--causes", "found.json"}).out, HasSubstr("The numbers are not corrected for it."));
 }
 
 TEST_F(PassportCommandTest, ToldFromBadInput) {

@@ -32,7 +32,7 @@ TEST_F(ReproduceTest, WritesTablesNumbersAndCharts) {
 
 TEST_F(ReproduceTest, ReplacesNothingThatItDidNotWrite) {
   write("notes.md", "mine\n");
-  EXPECT_TRUE(failedWithOneSentence(heft({"reproduce", "--recordings", "1", "-o", "notes.md"}), "exists already"));
+  EXPECT_TRUE(failedWithOneSentence(heft({"reproduce", "--recordings", "1", "-o", "notes.md"}), "already exists"));
   EXPECT_EQ(read("notes.md"), "mine\n");
   EXPECT_TRUE(failedWithOneSentence(heft({"reproduce", "--recordings", "1", "--plots", "notes.md"}), "notes.md"));
 }

@@ -42,7 +42,7 @@ TEST_F(TwinCommandTest, WritesTheRigForOtherSimulators) {
            {"--motion", "free", "--duration", "15", "--rate", "250", "--seed", "31", "--effect", "lever_arm=30"});
   const Outcome timed = heft({"diagnose", "beside.csv", "--surrogates", "0", "--json", "found.json", "--timing"});
   ASSERT_EQ(timed.exitCode, 0) << timed.err;
-  EXPECT_THAT(timed.out, HasSubstr("Trying causes"));
+  EXPECT_THAT(timed.out, HasSubstr("Testing causes"));
   const auto found = readJson("found.json");
   ASSERT_EQ(found["causes"][0]["cause"], "lever_arm");
   double sum = 0.0;

@@ -95,7 +95,7 @@ TEST_F(ConsequenceTest, AFaultIsTurnedByKeyAndTheCurvesBelowTheArmFollow) {
   for (int i = 0; i < 5; ++i) QTest::keyClick(slider, Qt::Key_PageUp);
   EXPECT_EQ(slider->value(), 50);
   EXPECT_NE(chart->chart().curves[0].points, calm);
-  EXPECT_TRUE(pane->findChild<QLabel*>("whatIfVerdict")->text().contains("It would be seen"));
+  EXPECT_TRUE(pane->findChild<QLabel*>("whatIfVerdict")->text().contains("Visible: "));
   // Closing the pane leads back to the cards.
   pane->findChild<QAbstractButton*>("closeWhatIf")->click();
   settle();

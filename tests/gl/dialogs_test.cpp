@@ -13,11 +13,13 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMap>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScrollArea>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextBlock>
@@ -115,6 +117,15 @@ class DialogsTest : public testing::Test {
     }
     EXPECT_GE(controls, 1);
   }
+  /// The parts that need most room, for whoever has to find them.
+  static std::string widest(const QWidget* content) {
+    std::string out;
+    for (const auto* each : content->findChildren<QWidget*>())
+      if (each->isVisible() && each->minimumSizeHint().width() > 300)
+        out += std::string(each->metaObject()->className()) + " " + each->objectName().toStdString() + " " +
+               std::to_string(each->minimumSizeHint().width()) + "\n";
+    return out;
+  }
   QAction* entry(const QString& object) {
     for (QAction* action : studio->window().findChildren<QAction*>())
       if (action->objectName() == object) return action;
@@ -208,6 +219,57 @@ TEST_F(DialogsTest, PicturesOfTheManualStandInLinesOfTheirOwn) {
     EXPECT_GE(pictures, 8);
     keep(&studio->window(), QStringLiteral("manual_%1").arg(QLatin1String(language)));
     studio->window().showManual(false);
+  }
+}
+
+/// A panel scrolls down, never to the right: what is wider than it is cut.
+TEST_F(DialogsTest, NoStepIsWiderThanItsPanelInASmallWindow) {
+  const QString recording = simulated();
+  for (const char* language : {"en", "de"}) {
+    ASSERT_TRUE(studio->setLanguage(language));
+    settle();
+    studio->workspace().open(recording);
+    settle();
+    MainWindow& window = studio->window();
+    window.resize(1024, 700);
+    ASSERT_TRUE(window.panel(Step::shape)->obey({"shape", "gripper"})->ok());
+    ASSERT_TRUE(
+        window.panel(Step::exportFile)->obey({"export", "franka-desk", folder.filePath("tool.json"), "replace"})->ok());
+    for (const bool details : {false, true}) {
+      window.showDetails(details);
+      for (const Step step : kAllSteps) {
+        SCOPED_TRACE(std::string(stepId(step)) + " " + language);
+        window.showStep(step);
+        settle();
+        int pages = 0;
+        for (const auto* area : window.panel(step)->findChildren<QScrollArea*>("panelScroll")) {
+          if (!area->isVisible()) continue;
+          ++pages;
+          EXPECT_LE(area->widget()->width(), area->viewport()->width()) << widest(area->widget());
+        }
+        EXPECT_GE(pages, 1);
+      }
+    }
+  }
+}
+
+TEST_F(DialogsTest, NoMenuHasTwoEntriesOfOneLetter) {
+  for (const char* language : {"en", "de"}) {
+    ASSERT_TRUE(studio->setLanguage(language));
+    settle();
+    int letters = 0;
+    for (const QMenu* menu : studio->window().findChildren<QMenu*>()) {
+      QMap<QChar, QString> taken;
+      for (const QAction* action : menu->actions()) {
+        const int at = action->text().indexOf('&');
+        if (at < 0 || at + 1 >= action->text().size()) continue;
+        const QChar letter = action->text()[at + 1].toLower();
+        EXPECT_FALSE(taken.contains(letter)) << action->text().toStdString() << " and " << taken[letter].toStdString();
+        taken[letter] = action->text();
+        ++letters;
+      }
+    }
+    EXPECT_GE(letters, 40);
   }
 }
 

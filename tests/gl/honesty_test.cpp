@@ -237,7 +237,7 @@ TEST_F(HonestyTest, AMeshThatIsNotChosenYetIsNotTakenForTheShape) {
   click(Step::shape, "picture_mesh");
   EXPECT_EQ(window.panel(Step::shape)->state().line, "choose a CAD file");
   EXPECT_EQ(find<QPushButton>(Step::shape, "mainButton")->text(), "Choose a CAD file …");
-  EXPECT_TRUE(texts(Step::shape).contains("the result goes by: Box"));
+  EXPECT_TRUE(texts(Step::shape).contains("the result uses: Box"));
 }
 
 TEST_F(HonestyTest, TheFirstWindowFitsTheScreenWithItsFrame) {

@@ -83,7 +83,7 @@ TEST_F(RecordingsTest, AreRenamedJoinedAndClosedByMouse) {
   ASSERT_TRUE(workspace.session().joined);
   window.showStep(Step::result);
   settle();
-  EXPECT_TRUE(panelText().contains("rest on 2 recordings")) << panelText().toStdString();
+  EXPECT_TRUE(panelText().contains("Joint result from 2 recordings")) << panelText().toStdString();
 
   window.showStep(Step::record);
   settle();

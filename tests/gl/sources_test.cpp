@@ -302,7 +302,7 @@ TEST_F(SourcesTest, ARecordingIsPlayedToItsEnd) {
   const QString file = folder.filePath("played.csv");
   ASSERT_TRUE(writeRecording(simulated->recording, file.toStdString()).ok());
   connectTo("sourceReplay", file);
-  EXPECT_TRUE(soon([&] { return reads("played to its end"); })) << words().toStdString();
+  EXPECT_TRUE(soon([&] { return reads("replay finished"); })) << words().toStdString();
   EXPECT_EQ(rows(), 3000u);
   const QString kept = panel->run()->file();
   click("mainButton");

@@ -73,7 +73,7 @@ class EntryCardTest : public testing::Test {
 };
 
 TEST_F(EntryCardTest, AsksFirstAndSaysWhatAWrongEntryCosts) {
-  EXPECT_TRUE(texts().contains("Enter what the controller is set to now"));
+  EXPECT_TRUE(texts().contains("Enter the payload that the controller is set to"));
   tell({"controller", "0.5", "at", "0,0,100"});
   ASSERT_TRUE(costs()->cost());
   EXPECT_NEAR(costs()->cost()->weight, 0.3 * 9.81, 0.1);
@@ -83,7 +83,7 @@ TEST_F(EntryCardTest, AsksFirstAndSaysWhatAWrongEntryCosts) {
   workspace.undoStack()->undo();
   settle();
   EXPECT_FALSE(costs()->cost());
-  EXPECT_TRUE(texts().contains("Enter what the controller is set to now"));
+  EXPECT_TRUE(texts().contains("Enter the payload that the controller is set to"));
   workspace.undoStack()->redo();
   settle();
   EXPECT_TRUE(costs()->cost());

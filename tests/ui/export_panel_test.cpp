@@ -92,7 +92,7 @@ TEST_F(ExportPanelTest, WhatCannotBeTrustedNeedsASecondYes) {
   };
   answer("Do not write");
   EXPECT_FALSE(button("mainButton")->isEnabled());
-  answer("write them");
+  answer("Write it");
   EXPECT_TRUE(button("mainButton")->isEnabled());
   EXPECT_TRUE(panel->saveTo(file, false).ok());
   // Another estimate is another result.

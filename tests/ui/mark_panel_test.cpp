@@ -44,7 +44,7 @@ TEST(MarkText, SaysWhetherEnoughIsLeft) {
   EXPECT_FALSE(little.enough);
   EXPECT_EQ(little.suggestions, 1);
   EXPECT_DOUBLE_EQ(little.seconds[1], 7);
-  EXPECT_EQ(confidenceWord(0.98), "very sure");
+  EXPECT_EQ(confidenceWord(0.98), "high");
   EXPECT_EQ(stretchText(13, 15.3), QString::fromUtf8("13.0 – 15.3 s"));
 }
 
@@ -72,7 +72,7 @@ TEST(MarkPanel, SuggestionsAreDecidedByAClickAndUndone) {
   QTest::mouseClick(yes, Qt::LeftButton);
   EXPECT_EQ(panel.state().light, Light::measured);
   EXPECT_EQ(panel.findChild<QPushButton*>("acceptButton"), nullptr);
-  EXPECT_EQ(panel.findChild<QPushButton*>("mainButton")->text(), "Go on");
+  EXPECT_EQ(panel.findChild<QPushButton*>("mainButton")->text(), "Continue");
   workspace.undoStack()->undo();
   EXPECT_EQ(panel.state().light, Light::look);
   QTest::mouseClick(panel.findChild<QPushButton*>("mainButton"), Qt::LeftButton);

@@ -37,8 +37,8 @@ TEST(KnownValues, AreComparedAsInThePaper) {
   known.com = Vector3d(0.0014, -0.0005, 0.0408);
   const ResultText text = describeResult(report, {known});
   ASSERT_EQ(text.known.size(), 2u);
-  EXPECT_EQ(text.known[0].value, "0.800 kg known, 1.50 % away");
-  EXPECT_TRUE(text.known[1].value.startsWith("5.0 mm away (12.2 %)")) << text.known[1].value.toStdString();
+  EXPECT_EQ(text.known[0].value, "0.800 kg known, 1.50 % off");
+  EXPECT_TRUE(text.known[1].value.startsWith("5.0 mm off (12.2 %)")) << text.known[1].value.toStdString();
 }
 
 TEST(KnownValues, TheDialogTakesHalfOfThemButNoHalfVectors) {

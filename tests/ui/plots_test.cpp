@@ -351,6 +351,11 @@ TEST(WrenchTraces, ValuesAreReadBetweenSamples) {
   EXPECT_EQ(rows[1][3], "3.000");
   EXPECT_EQ(rows[4][0], "Fz [N]");
   EXPECT_EQ(rows[4][3], "3.00");
+  EXPECT_EQ(rows[1][5], QString::fromUtf8("1/Δt 0.33 Hz"));
+  EXPECT_EQ(rows[4][4], QString::fromUtf8("−1.50"));
+  EXPECT_EQ(rows[2][5], "0.250");
+  const auto without = cursorTable(WrenchTraces(recording, nullptr), 2.0, 5.0);
+  EXPECT_EQ(without[2][5], QString::fromUtf8("–"));
 }
 
 TEST(VisibleCsv, HoldsTheVisibleSamplesOfAllKinds) {

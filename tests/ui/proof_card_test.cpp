@@ -87,7 +87,7 @@ class ProofCardTest : public testing::Test {
 };
 
 TEST_F(ProofCardTest, ARightPayloadPassesAndIsKept) {
-  EXPECT_TRUE(texts().contains("guide the tool for ten seconds"));
+  EXPECT_TRUE(texts().contains("guide the tool in all directions"));
   ASSERT_TRUE(tell({"prove", right}));
   EXPECT_TRUE(texts().contains("PASS")) << texts().toStdString();
   EXPECT_TRUE(texts().contains("Checked on right.csv"));

@@ -113,7 +113,7 @@ TEST_F(RealityPanelTest, OtherConventionsComeFirstAndAreReadWithOneClick) {
     if (frame->property("role") == "reading" && frame->property("cause").isValid()) card = frame;
   ASSERT_NE(card, nullptr) << texts().join("|").toStdString();
   EXPECT_TRUE(texts().join("|").contains("given in the robot’s base axes")) << texts().join("\n").toStdString();
-  EXPECT_TRUE(texts().join("|").contains("At the driver:"));
+  EXPECT_TRUE(texts().join("|").contains("Check in the driver:"));
   const auto* chart = card->findChild<ChartWidget*>();
   ASSERT_NE(chart, nullptr);
   ASSERT_EQ(chart->chart().curves.size(), 2u);
@@ -125,7 +125,7 @@ TEST_F(RealityPanelTest, OtherConventionsComeFirstAndAreReadWithOneClick) {
   EXPECT_LT(10.0 * sizeOf(chart->chart().curves[1]), sizeOf(chart->chart().curves[0]));
   QPushButton* readSo = buttonOf("mainButton", "frame_error");
   ASSERT_NE(readSo, nullptr);
-  EXPECT_EQ(readSo->text(), "Read it so");
+  EXPECT_EQ(readSo->text(), "Use these conventions");
   QTest::mouseClick(readSo, Qt::LeftButton);
   settle();
   EXPECT_EQ(workspace.report()->trust, Trust::good);
@@ -163,7 +163,7 @@ TEST_F(RealityPanelTest, ACauseIsNamedAppliedUndoneAndSaved) {
   settle();
   ASSERT_TRUE(panel->report());
   ASSERT_EQ(panel->report()->verdict, Verdict::explained) << panel->report()->sentence;
-  EXPECT_TRUE(texts().join("|").contains("pulls the tool towards one spot")) << texts().join("|").toStdString();
+  EXPECT_TRUE(texts().join("|").contains("pulls the tool towards one point")) << texts().join("|").toStdString();
   EXPECT_EQ(panel->state().light, Light::look);
   const double plain = workspace.report()->payload.mass;
   QPushButton* apply = buttonOf("mainButton", "cable_pull");
@@ -206,7 +206,7 @@ TEST_F(RealityPanelTest, ACleanRecordingIsSaidToFitAndTheNextStepIsExport) {
   EXPECT_EQ(panel->state().progress, StepState::Progress::done);
   const auto mains = panel->findChildren<QPushButton*>("mainButton");
   ASSERT_EQ(mains.size(), 1);
-  EXPECT_EQ(mains[0]->text(), "Go on to Export");
+  EXPECT_EQ(mains[0]->text(), "Continue to Export");
   const auto refused = panel->obey({"apply", "cable_pull"});
   ASSERT_TRUE(refused.has_value());
   EXPECT_FALSE(refused->ok());
@@ -239,7 +239,7 @@ TEST_F(RealityPanelTest, OfReadingsThatFitAlikeAPersonStatesOne) {
   EXPECT_TRUE(all.contains("Heft does not guess")) << all.toStdString();
   const QPushButton* stateIt = buttonOf("mainButton", "frame_error");
   ASSERT_NE(stateIt, nullptr);
-  EXPECT_EQ(stateIt->text(), "State it under Robot and sensor …");
+  EXPECT_EQ(stateIt->text(), "Set it in Robot and sensor …");
   EXPECT_EQ(buttonOf("acceptButton", "frame_error"), nullptr);
   EXPECT_FALSE(all.contains("your result changes"));
 }
@@ -282,9 +282,9 @@ TEST_F(RealityPanelTest, APracticeRecordingHidesItsFaultUntilAGuess) {
   EXPECT_FALSE(panel->findChild<QPushButton*>("guess_cable_pull")->isEnabled());
   QTest::mouseClick(panel->findChild<QPushButton*>("giveUp"), Qt::LeftButton);
   settle();
-  EXPECT_TRUE(texts().contains("Not this one"));
-  EXPECT_TRUE(texts().contains("Found at once: 0 of 1. With a hint or at the second try: 0."));
-  EXPECT_TRUE(texts().join("|").contains("Hidden was: Force readings late (delay)"));
+  EXPECT_TRUE(texts().contains("Not quite"));
+  EXPECT_TRUE(texts().contains("Solved at the first try: 0 of 1. With a hint or at the second try: 0."));
+  EXPECT_TRUE(texts().join("|").contains("The hidden fault was: Force readings late (delay)"));
   // Opened once more it is a riddle again.
   ASSERT_TRUE(panel->obey({"practice", QString::number(seed)})->ok());
   settle();
@@ -293,7 +293,7 @@ TEST_F(RealityPanelTest, APracticeRecordingHidesItsFaultUntilAGuess) {
   QTest::mouseClick(panel->findChild<QPushButton*>("guess_time_offset"), Qt::LeftButton);
   settle();
   EXPECT_TRUE(texts().contains("Right"));
-  EXPECT_TRUE(texts().contains("Found at once: 1 of 2. With a hint or at the second try: 0."));
+  EXPECT_TRUE(texts().contains("Solved at the first try: 1 of 2. With a hint or at the second try: 0."));
 }
 
 TEST_F(RealityPanelTest, TheReportHoldsEverythingAsPageAndAsPdf) {

@@ -69,7 +69,7 @@ TEST(ResultPanel, HasExactlyOneFilledButtonThatSaysWhatHappens) {
 
 TEST(ResultPanel, WarningsAreShownErrorsBeforeTheNumbers) {
   ResultText text = example();
-  text.findings = {{Severity::error, "No real body has these numbers", "Use the method map"}};
+  text.findings = {{Severity::error, "These values are physically impossible", "Use the method map"}};
   ResultPanel panel;
   panel.resize(440, 900);
   panel.showResult(text);
@@ -78,7 +78,7 @@ TEST(ResultPanel, WarningsAreShownErrorsBeforeTheNumbers) {
   int errorTop = -1, massTop = -1;
   for (const QLabel* label : panel.findChildren<QLabel*>()) {
     const int y = label->mapTo(&panel, QPoint(0, 0)).y();
-    if (label->text().startsWith("No real body")) errorTop = y;
+    if (label->text().startsWith("These values are physically impossible")) errorTop = y;
     if (label->text() == "Mass") massTop = y;
   }
   ASSERT_GE(errorTop, 0);

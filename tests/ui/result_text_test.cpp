@@ -64,7 +64,7 @@ TEST(DescribeResult, SaysWhatIsNotKnown) {
   EXPECT_EQ(text.findings[0].severity, Severity::warning);
   EXPECT_FALSE(text.doubtful);
   report.identifiability.mass = Source::none;
-  EXPECT_EQ(describeResult(report, {}).question, "This motion does not tell the mass.");
+  EXPECT_EQ(describeResult(report, {}).question, "This motion does not determine the mass.");
 }
 
 TEST(DescribeResult, AHopelessIntervalIsADash) {
@@ -94,7 +94,7 @@ TEST(DescribeResult, ComparesWithWhatIsStated) {
   PartialPayload stated;
   stated.mass = 0.815;
   const ResultText text = describeResult(test::reportOn(recording), {stated});
-  EXPECT_EQ(text.massNote, "you stated 0.815 kg, 0.4 % away");
+  EXPECT_EQ(text.massNote, "you entered 0.815 kg, 0.4 % off");
   EXPECT_GT(text.massScale.stated, text.massScale.value);
   EXPECT_LT(text.massScale.from, text.massScale.value);
   EXPECT_GT(text.massScale.to, text.massScale.value);
@@ -110,7 +110,7 @@ TEST(DescribeResult, SpeaksTheUnitsThatAreChosen) {
   EXPECT_EQ(text.question, "Your tool weighs 812 g.");
   EXPECT_EQ(text.mass.value, "812");
   EXPECT_EQ(text.mass.plusMinus, QString::fromUtf8("± 4 g"));
-  EXPECT_EQ(text.massNote, "you stated 815 g, 0.4 % away");
+  EXPECT_EQ(text.massNote, "you entered 815 g, 0.4 % off");
   EXPECT_NEAR(text.com[2].value.toDouble() * 25.4, 1e3 * test::reportOn(recording).payload.com.z(), 0.5);
   EXPECT_TRUE(text.com[2].plusMinus.endsWith(" in"));
   QString details;
@@ -123,7 +123,7 @@ TEST(DescribeResult, SaysTheDifferenceByChannel) {
   const Recording recording = test::sineRecording(1000, 100);
   const ResultText text = describeResult(test::reportOn(recording), {});
   const auto row = std::find_if(text.details.begin(), text.details.end(),
-                                [](const auto& d) { return d.name == "By channel, force"; });
+                                [](const auto& d) { return d.name == "Force by channel"; });
   ASSERT_NE(row, text.details.end());
   // The made-up simulation misses x by 0.25 N and nothing else.
   EXPECT_TRUE(row->value.startsWith("0.250  0.000  0.000 N")) << row->value.toStdString();

@@ -132,7 +132,7 @@ TEST_F(ShapePanelTest, WhatIsNoLengthStaysAtItsFieldWithASentence) {
   type("size_0_0", "-5");
   EXPECT_FALSE(complaint().isEmpty());
   type("size_0_1", "500");  // A hole wider than the tube.
-  EXPECT_TRUE(complaint().contains("hole")) << complaint().toStdString();
+  EXPECT_TRUE(complaint().contains("inner")) << complaint().toStdString();
   EXPECT_EQ(shape().bodies[0].dims, before.bodies[0].dims);
   EXPECT_EQ(undo()->count(), edits);
   type("size_0_1", "10");
@@ -274,7 +274,7 @@ TEST_F(ShapePanelTest, ACadMeshIsDroppedItsUnitGuessedAndChanged) {
   QApplication::processEvents();
   bool explained = false;
   for (const QLabel* label : panel->findChildren<QLabel*>())
-    explained = explained || (label->isVisible() && label->text().contains("guessed millimetres"));
+    explained = explained || (label->isVisible() && label->text().contains("Assuming millimetres"));
   EXPECT_TRUE(explained);
   click("meshPlace");
   EXPECT_NEAR((shape().bodies[0].X_SB.translation() - Vector3d(-0.04, -0.04, 0)).norm(), 0, 1e-6);

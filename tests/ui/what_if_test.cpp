@@ -89,7 +89,7 @@ TEST_F(WhatIfTest, TheNumbersAndTheVerdictFollowTheHandAndComeBack) {
   // A hand on the slider: no job runs, the answer is there at once.
   slider("time_offset")->setValue(60);
   EXPECT_TRUE(std::none_of(jobs.begin(), jobs.end(), [](JobRunner* j) { return j->running(); }));
-  EXPECT_TRUE(verdict().contains("It would be seen")) << verdict().toStdString();
+  EXPECT_TRUE(verdict().contains("Visible: ")) << verdict().toStdString();
   EXPECT_TRUE(alike().contains("low-pass filter") || alike().contains("Nothing else")) << alike().toStdString();
   EXPECT_NE(mass(), before);
   slider("time_offset")->setValue(0);

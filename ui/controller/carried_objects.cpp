@@ -42,7 +42,7 @@ CarriedObjects::CarriedObjects(QObject* workspace)
 Result<bool> CarriedObjects::findMinus(const QString& without) {
   const auto opened = workspace_.opened();
   if (opened && QFileInfo(opened->path) == QFileInfo(without))
-    return Error{tr("That is the recording with the object itself: choose one without it.").toStdString()};
+    return Error{tr("This is the recording with the object itself. Choose one without it.").toStdString()};
   return ask(QFileInfo(without).absoluteFilePath());
 }
 
@@ -62,7 +62,7 @@ void CarriedObjects::start() {
   failure_.clear();
   jobs_.cancel();
   jobs_.start(
-      tr("Finding what is carried"),
+      tr("Estimating what is carried"),
       [now, without = without_](const Progress& progress) { return carriedIn(now, without, progress); },
       [this](Result<CarriedObject> result) {
         if (result)

@@ -67,7 +67,7 @@ void EntryCosts::refresh() {
   failure_.clear();
   if (possible)
     jobs_.start(
-        tr("Working out what the entry costs"),
+        tr("Computing what the entry costs"),
         [opened, report, mounted, told = now->payload,
          limits = ControllerLimits{choice.collisionForce, choice.collisionTorque, choice.stiffness}](const Progress&) {
           return costOfEntry(told, *report, mounted, limits, opened->recording, opened->robot.get());

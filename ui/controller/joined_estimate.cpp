@@ -77,7 +77,7 @@ Result<bool> join(const std::vector<Snapshot>& of, const std::vector<std::size_t
         if (file != fileOf(of[members[m]]))
           findings.push_back({Severity::warning,
                               "low_trust_of_one",
-                              JoinWords::tr("%1 deserves little trust, and with it the numbers from all of them.")
+                              JoinWords::tr("%1 is not reliable, so neither are the numbers from all of them.")
                                   .arg(file)
                                   .toStdString(),
                               JoinWords::tr("Look at its result alone, or leave it out.").toStdString(),
@@ -85,7 +85,7 @@ Result<bool> join(const std::vector<Snapshot>& of, const std::vector<std::size_t
       piece.report.findings.push_back(
           {Severity::info,
            "joined",
-           JoinWords::tr("These numbers rest on %n recordings together: %1.", "", static_cast<int>(used.size()))
+           JoinWords::tr("Joint result from %n recordings: %1.", "", static_cast<int>(used.size()))
                .arg(used.join(QStringLiteral(", ")))
                .toStdString(),
            piece.words,
@@ -94,7 +94,7 @@ Result<bool> join(const std::vector<Snapshot>& of, const std::vector<std::size_t
       piece.report.findings.push_back(
           {Severity::warning,
            "not_joined",
-           JoinWords::tr("This recording contradicts the others or is not understood. Its numbers are its own.")
+           JoinWords::tr("This recording contradicts the others, or Heft cannot explain it. It keeps its own numbers.")
                .toStdString(),
            piece.words,
            {}});
@@ -123,7 +123,7 @@ Result<SharedReports> estimateTogether(const std::vector<Snapshot>& of, const Pr
       made[i]->findings.push_back(
           {Severity::info,
            "not_joined",
-           JoinWords::tr("Only recordings without applied corrections are joined; these numbers are of %1 alone.")
+           JoinWords::tr("Only recordings without applied corrections are joined; these numbers come from %1 alone.")
                .arg(fileOf(of[i]))
                .toStdString(),
            {},

@@ -382,7 +382,7 @@ void Workspace::setCorrections(const Corrections& corrections, const QString& te
 
 void Workspace::paint(double from, double to, std::optional<MarkLabel> label, int mergeKey) {
   if (!opened()) return;
-  const QString text = !label                         ? tr("take back a mark")
+  const QString text = !label                         ? tr("remove a mark")
                        : *label == MarkLabel::free    ? tr("mark as free")
                        : *label == MarkLabel::contact ? tr("mark as contact")
                                                       : tr("mark as ignored");

@@ -39,6 +39,17 @@ constexpr std::string_view kFront[] = {"franka-desk", "libfranka", "franka-ros2"
 
 QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 
+/// A section's title with a caption at the right, which breaks where the panel is narrow.
+void addHead(QVBoxLayout* column, const QString& title, const QString& caption, QWidget* content) {
+  auto* head = new QHBoxLayout;
+  head->setSpacing(12);
+  head->addWidget(styledLabel(title, "sectionTitle", content), 0, Qt::AlignTop);
+  QLabel* right = wrappedLabel(caption, "caption", content);
+  right->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  head->addWidget(right, 1);
+  column->addLayout(head);
+}
+
 }  // namespace
 
 ExportPanel::ExportPanel(const StudioParts& parts)
@@ -95,7 +106,7 @@ void ExportPanel::refresh() {
   text_.clear();
   refusal_.clear();
   if (!opened || !report) {
-    page()->restart(tr("Where do the numbers go?"), tr("First comes a result."))->addStretch(1);
+    page()->restart(tr("Which controller is this for?"), tr("Estimate a result first."))->addStretch(1);
     page()->setMainButton(opened ? tr("Go to the result") : tr("Go to Record"),
                           [this, opened] { parts().goTo(opened ? Step::result : Step::record); });
     page()->setSecondButton({});
@@ -105,7 +116,7 @@ void ExportPanel::refresh() {
   }
   const ExportChoice choice = choiceNow();
   QVBoxLayout* column =
-      page()->restart(tr("Where do the numbers go?"), tr("You see the whole file before anything is written."));
+      page()->restart(tr("Which controller is this for?"), tr("You see the whole file before anything is written."));
   const auto file = fileNow(choice);
   doubts_.clear();
   if (file)
@@ -200,11 +211,7 @@ void ExportPanel::addRole(QVBoxLayout* column, const ExportChoice& choice) {
 void ExportPanel::addMounted(QVBoxLayout* column, const ExportChoice& choice, double together) {
   QWidget* content = page()->content();
   column->addSpacing(4);
-  auto* head = new QHBoxLayout;
-  head->addWidget(styledLabel(tr("What else is mounted?"), "sectionTitle", content));
-  head->addStretch(1);
-  head->addWidget(styledLabel(tr("between flange and tool"), "caption", content));
-  column->addLayout(head);
+  addHead(column, tr("What else is mounted?"), tr("between flange and tool"), content);
   auto* list = new MountedList(content);
   const bool any =
       std::any_of(choice.mounted.begin(), choice.mounted.end(), [](const MountedPart& part) { return part.present; });
@@ -233,11 +240,7 @@ void ExportPanel::addToolCentre(QVBoxLayout* column, const ExportChoice& choice)
   if (!format || !carriesTool(*format)) return;
   QWidget* content = page()->content();
   column->addSpacing(4);
-  auto* head = new QHBoxLayout;
-  head->addWidget(styledLabel(tr("Tool centre point"), "sectionTitle", content));
-  head->addStretch(1);
-  head->addWidget(styledLabel(tr("from the flange, its axes"), "caption", content));
-  column->addLayout(head);
+  addHead(column, tr("Tool centre point"), tr("from the flange, its axes, in mm"), content);
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   for (int i = 0; i < 3; ++i) {
@@ -262,7 +265,7 @@ void ExportPanel::addToolCentre(QVBoxLayout* column, const ExportChoice& choice)
 
 void ExportPanel::addAllTheSame(QVBoxLayout* column) {
   QWidget* content = page()->content();
-  auto* box = new QCheckBox(tr("Save all the same"), content);
+  auto* box = new QCheckBox(tr("Save anyway"), content);
   box->setObjectName("saveAllTheSame");
   box->setChecked(mayBeSaved());
   connect(box, &QCheckBox::toggled, this, [this](bool on) {
@@ -289,7 +292,7 @@ void ExportPanel::addChecks(QVBoxLayout* column, const Result<PayloadFile>& file
   if (!file && report->trust == Trust::none && !confirmed()) {
     const Card card = makeCard("cardBad", content);
     card.layout->addWidget(
-        wrappedLabel(tr("Nothing in this result can be trusted, so no file is written."), "cardTitle", content));
+        wrappedLabel(tr("This result is not reliable, so no file is written."), "cardTitle", content));
     card.layout->addWidget(wrappedLabel(QString::fromStdString(report->whyNoTrust), "body", content));
     card.layout->addWidget(wrappedLabel(QString::fromStdString(report->whatToDo), "caption", content));
     auto* row = new QHBoxLayout;
@@ -298,7 +301,7 @@ void ExportPanel::addChecks(QVBoxLayout* column, const Result<PayloadFile>& file
     connect(look, &QPushButton::clicked, this, [this] { parts().goTo(Step::realityCheck); });
     row->addWidget(look);
     row->addStretch(1);
-    auto* anyway = new QPushButton(tr("Write it all the same …"), content);
+    auto* anyway = new QPushButton(tr("Write it anyway …"), content);
     anyway->setObjectName("writeUntrusted");
     connect(anyway, &QPushButton::clicked, this, &ExportPanel::confirmUntrusted);
     row->addWidget(anyway);
@@ -315,11 +318,11 @@ void ExportPanel::addChecks(QVBoxLayout* column, const Result<PayloadFile>& file
   const ExportFormat* format = findExportFormat(choice.format);
   auto checks = checksBeforeSaving(*report, file->onFlange, file->findings, choice, *format);
   if (!choice.mountedAnswered) {
-    const QString asks = choice.mounted.empty() ? tr("The sensor itself weighs something, too: add it under “Something "
-                                                     "else …” unless the controller knows it "
-                                                     "already, or tick “Nothing else”.")
-                                                : tr("Don’t forget the sensor’s own weight: tick it above unless the "
-                                                     "controller already includes it, or tick “Nothing else”.");
+    const QString asks = choice.mounted.empty()
+                             ? tr("Don’t forget the sensor’s own weight: add it under “Something else …” unless the "
+                                  "controller already includes it, or tick “Nothing else”.")
+                             : tr("Don’t forget the sensor’s own weight: tick it above unless the "
+                                  "controller already includes it, or tick “Nothing else”.");
     checks.insert(checks.begin(), {Severity::warning, false, false, asks});
   }
   if (choice.role == ExportChoice::Role::unasked)
@@ -410,9 +413,8 @@ bool ExportPanel::confirmed() const {
 void ExportPanel::confirmUntrusted() {
   const auto report = workspace().report();
   if (!report) return;
-  auto* box =
-      new QMessageBox(QMessageBox::NoIcon, tr("Heft Studio"),
-                      tr("Write a payload that nothing in the recording supports?"), QMessageBox::NoButton, this);
+  auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Heft Studio"),
+                              tr("Write a payload that the recording does not support?"), QMessageBox::NoButton, this);
   box->setObjectName("confirmUntrusted");
   box->setIconPixmap(lightPixmap(Light::look, 36, devicePixelRatioF()));
   box->setAttribute(Qt::WA_DeleteOnClose);
@@ -420,7 +422,7 @@ void ExportPanel::confirmUntrusted() {
       tr("%1\n\nA robot with a wrong load setting drifts when it is guided, stops without a reason, or does not stop "
          "when it should.")
           .arg(QString::fromStdString(report->whyNoTrust)));
-  auto* yes = box->addButton(tr("I know that these numbers are wrong; write them"), QMessageBox::DestructiveRole);
+  auto* yes = box->addButton(tr("Write it; I know that these numbers are wrong"), QMessageBox::DestructiveRole);
   box->setDefaultButton(box->addButton(tr("Do not write"), QMessageBox::RejectRole));
   connect(yes, &QAbstractButton::clicked, this, [this, report] {
     if (workspace().report() != report) return;

@@ -27,7 +27,7 @@ class ExportPanel : public StepPanel {
   Step step() const override { return Step::exportFile; }
   StepState state() const override;
   void entered() override { refresh(); }
-  QString hint() const override { return tr("An existing file is never replaced without asking"); }
+  QString hint() const override { return tr("An existing file is never overwritten without asking"); }
   Below below() const override { return Below::own; }
   QWidget* ownPane() override;
   double viewShare() const override { return 0.52; }

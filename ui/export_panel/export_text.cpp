@@ -87,25 +87,25 @@ std::vector<Check> checksBeforeSaving(const EstimateReport& report, const Payloa
   const auto warn = [&](const QString& text) { checks.push_back({Severity::warning, false, false, text}); };
   if (const QString advice = roleAdvice(format.id, choice.role); !advice.isEmpty()) warn(advice);
   if (report.trust == Trust::none) {
-    warn(Words::tr("You chose to write numbers that nothing in the recording supports. %1")
+    warn(Words::tr("You chose to write numbers that the recording does not support. %1")
              .arg(QString::fromStdString(report.whyNoTrust)));
     return checks;
   }
   if (report.identifiability.mass == Source::none) warn(Words::tr("The mass is not known from this motion."));
   if (anyUnknown(report)) {
-    warn(Words::tr(
-        "The inertia is not known from this motion; the file holds a plausible size only. Fine for slow work; "
-        "record faster turns for fast work."));
+    warn(
+        Words::tr("The inertia is not known from this motion; the file contains only a plausible value. Fine for slow "
+                  "work; record faster rotations for fast work."));
   } else if (anyFromPrior(report)) {
-    warn(Words::tr(
-        "The inertia rests on your shape, not on your motion. Fine for slow work; record faster turns for fast "
-        "work."));
+    warn(
+        Words::tr("The inertia comes from your shape, not from your motion. Fine for slow work; record faster "
+                  "rotations for fast work."));
   }
   for (const Finding& finding : findings) {
     if (finding.code == "tool_centre_unset") {
       warn(
-          Words::tr("The tool centre point is written at the flange. Loading the file puts the controller’s TCP there: "
-                    "state it above if it is elsewhere."));
+          Words::tr("The tool centre point is written at the flange, and loading the file sets the controller’s TCP "
+                    "there. Enter it above if it is elsewhere."));
       continue;
     }
     if (finding.severity == Severity::info) continue;
@@ -120,7 +120,7 @@ std::vector<Check> checksBeforeSaving(const EstimateReport& report, const Payloa
     checks.push_back({Severity::info, true, false, Words::tr("Physically consistent.")});
   if (format.heaviest > 0 && onFlange.mass < 0.9 * format.heaviest)
     checks.push_back({Severity::info, true, false,
-                      Words::tr("Well inside the arm’s limit of %1 kg.").arg(numberText(format.heaviest, 0))});
+                      Words::tr("Well below the arm’s payload limit of %1 kg.").arg(numberText(format.heaviest, 0))});
   return checks;
 }
 

@@ -113,7 +113,7 @@ FilePreview::FilePreview(QWidget* parent) : QWidget(parent) {
   edit_->setReadOnly(true);
   edit_->setFrameShape(QFrame::NoFrame);
   edit_->setLineWrapMode(QPlainTextEdit::NoWrap);
-  edit_->setAccessibleName(tr("The file before it is written"));
+  edit_->setAccessibleName(tr("The file, before it is written"));
   QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
   font.setPixelSize(13);
   edit_->setFont(font);

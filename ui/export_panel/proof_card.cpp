@@ -52,7 +52,7 @@ void ProofCard::addTo(QVBoxLayout* column, QWidget* content) {
   const auto report = parts_.workspace->report();
   if (!report || report->trust == Trust::none) return;
   column->addSpacing(4);
-  column->addWidget(styledLabel(tr("Is it right at the robot?"), "sectionTitle", content));
+  column->addWidget(styledLabel(tr("Is it right on the robot?"), "sectionTitle", content));
   const Card card = makeCard("card", content);
   card.frame->setProperty("role", "proof");
   addProof(card.layout, content);
@@ -64,12 +64,12 @@ void ProofCard::addProof(QVBoxLayout* card, QWidget* content) {
   const Payload now = parts_.workspace->report()->payload;
   const auto text = describeProof(parts_.workspace->session().proof, &now);
   if (jobs_.running()) {
-    card->addWidget(wrappedLabel(tr("Checking the numbers on that recording …"), "body", content));
+    card->addWidget(wrappedLabel(tr("Checking the numbers with that recording …"), "body", content));
     return;
   }
   if (!text) {
-    card->addWidget(wrappedLabel(tr("Enter the file at the controller, guide the tool for ten seconds through all "
-                                    "directions, touching nothing, and let Heft check the numbers on that."),
+    card->addWidget(wrappedLabel(tr("Load the file into the controller, guide the tool in all directions for ten "
+                                    "seconds without touching anything, and let Heft check the numbers."),
                                  "body", content));
     return;
   }
@@ -100,7 +100,7 @@ void ProofCard::addButtons(QVBoxLayout* card, QWidget* content) {
     connect(button, &QPushButton::clicked, this, clicked);
     card->addWidget(button, 0, Qt::AlignLeft);
   };
-  if (run_->running() && !run_->poses()) add(tr("Prove on what comes in"), "proveLive", [this] { tell(proveLive()); });
+  if (run_->running() && !run_->poses()) add(tr("Prove on live data"), "proveLive", [this] { tell(proveLive()); });
   add(tr("Prove on a recording …"), "prove", [this] { chooseRecording(); });
   add(tr("Tool passport …"), "passport", [this] { askPassport(); });
 }
@@ -138,7 +138,7 @@ Result<bool> ProofCard::prove(const QString& recording) {
 
 Result<bool> ProofCard::proveLive() {
   if (!run_->running() || run_->file().isEmpty())
-    return sentence(tr("Nothing comes in: start listening to the robot under Record, then guide the tool."));
+    return sentence(tr("No live data: start listening to the robot under Record, then guide the tool."));
   return prove(run_->file());
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// "Is it right at the robot?" at the end of Export: the numbers checked on another recording, and the tool's passport.
+// "Is it right on the robot?" at the end of Export: the numbers checked on another recording, and the tool's passport.
 #include <QObject>
 #include <QStringList>
 #include <optional>

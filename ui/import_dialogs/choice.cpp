@@ -1,12 +1,12 @@
 #include "ui/import_dialogs/choice.h"
 
-#include <QComboBox>
+#include "ui/widgets/choice_box.h"
 
 namespace heft {
 
 QComboBox* makeChoice(const QString& name, const QString& accessible, const QString& tip, int characters,
                       QWidget* parent) {
-  auto* box = new QComboBox(parent);
+  auto* box = new ChoiceBox(parent);
   box->setObjectName(name);
   box->setAccessibleName(accessible);
   box->setToolTip(tip);

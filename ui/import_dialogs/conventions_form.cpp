@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "ui/import_dialogs/choice.h"
+#include "ui/models/setup_words.h"
 #include "ui/widgets/basics.h"
 
 namespace heft {
@@ -27,7 +28,7 @@ ConventionsForm::ConventionsForm(const Conventions& conventions, QWidget* parent
   column->setContentsMargins(0, 0, 0, 0);
   auto* toggle = new QPushButton(tr("Conventions of the numbers"), this);
   toggle->setObjectName("rigConventions");
-  toggle->setToolTip(tr("Axes, signs, units and orders, where they are not the usual ones"));
+  toggle->setToolTip(tr("Axes, signs, units and orders that differ from the usual ones"));
   toggle->setCheckable(true);
   column->addWidget(toggle, 0, Qt::AlignLeft);
   auto* scroll = new QScrollArea(this);
@@ -41,21 +42,16 @@ ConventionsForm::ConventionsForm(const Conventions& conventions, QWidget* parent
   scroll->setWidget(content);
 
   form->addRow(styledLabel(tr("Force and torque"), "rowName", content));
-  axes_ = addChoice(form, "rigWrenchAxes", tr("Along the axes of"),
-                    tr("UR's TCP force, for instance, is along the axes of the robot's base"),
-                    {tr("the sensor"), tr("the robot's base")},
-                    conventions.wrenchAxes == Conventions::WrenchAxes::base ? 1 : 0);
-  const auto kind = conventions.wrenchPoint.kind;
-  point_ = addChoice(form, "rigWrenchPoint", tr("Torque about"), tr("The point that the torque is taken about"),
-                     {tr("the sensor's origin"), tr("the base's origin"), tr("another point of the sensor")},
-                     static_cast<int>(kind));
+  axes_ =
+      addChoice(form, "rigWrenchAxes", "wrench_axes", conventions.wrenchAxes == Conventions::WrenchAxes::base ? 1 : 0);
+  point_ = addChoice(form, "rigWrenchPoint", "wrench_point", static_cast<int>(conventions.wrenchPoint.kind));
   auto* offset = new QWidget(content);
   auto* row = new QHBoxLayout(offset);
   row->setContentsMargins(0, 0, 0, 0);
   for (int a = 0; a < 3; ++a) {
     offset_[a] = new QDoubleSpinBox(offset);
     offset_[a]->setObjectName("rigOffset");
-    offset_[a]->setAccessibleName(tr("That point from the sensor's origin along its %1").arg("xyz"[a]));
+    offset_[a]->setAccessibleName(tr("That point from the sensor’s origin along its %1").arg("xyz"[a]));
     offset_[a]->setToolTip(offset_[a]->accessibleName());
     offset_[a]->setRange(-2000, 2000);
     offset_[a]->setDecimals(2);
@@ -63,30 +59,20 @@ ConventionsForm::ConventionsForm(const Conventions& conventions, QWidget* parent
     offset_[a]->setValue(conventions.wrenchPoint.offset(a) / kLengthMillimetre);
     row->addWidget(offset_[a], 1);
   }
-  form->addRow(tr("That point x, y, z"), offset);
-  torqueSign_ =
-      addChoice(form, "rigTorqueSign", tr("Torque's sign"), tr("Some drivers turn the torque round, but not the force"),
-                {tr("as the force's"), tr("opposite to the force's")},
-                conventions.torqueSign == Conventions::TorqueSign::opposite ? 1 : 0);
-  order_ = addChoice(form, "rigWrenchOrder", tr("Order"), tr("What the first three of the six columns are"),
-                     {tr("force, then torque"), tr("torque, then force")},
+  form->addRow(tr("Point x, y, z"), offset);
+  torqueSign_ = addChoice(form, "rigTorqueSign", "torque_sign",
+                          conventions.torqueSign == Conventions::TorqueSign::opposite ? 1 : 0);
+  order_ = addChoice(form, "rigWrenchOrder", "wrench_order",
                      conventions.wrenchOrder == Conventions::WrenchOrder::torqueFirst ? 1 : 0);
-  mirror_ = addChoice(form, "rigMirror", tr("Mirrored axis"),
-                      tr("The axis along which force and torque have the other sign: a left-handed sensor"),
-                      {tr("none"), "x", "y", "z"}, conventions.mirroredAxis ? 1 + *conventions.mirroredAxis : 0);
-  force_ = addUnit(form, "rigForceUnit", tr("Unit of force"), forceUnits(), conventions.force);
-  torque_ = addUnit(form, "rigTorqueUnit", tr("Unit of torque"), torqueUnits(), conventions.torque);
+  mirror_ = addChoice(form, "rigMirror", "mirrored_axis", conventions.mirroredAxis ? 1 + *conventions.mirroredAxis : 0);
+  force_ = addUnit(form, "rigForceUnit", "force_unit", forceUnits(), conventions.force);
+  torque_ = addUnit(form, "rigTorqueUnit", "torque_unit", torqueUnits(), conventions.torque);
 
   form->addRow(styledLabel(tr("Joints and poses"), "rowName", content));
-  angles_ = addChoice(form, "rigAngles", tr("Angles"), tr("Joint angles and their speeds"),
-                      {tr("radians"), tr("degrees")}, conventions.radPerAngle == 1.0 ? 0 : 1);
-  lengths_ = addChoice(form, "rigLengths", tr("Positions"), tr("Positions and their speeds"),
-                       {tr("metres"), tr("millimetres")}, conventions.mPerLength == 1.0 ? 0 : 1);
-  pose_ = addChoice(form, "rigPose", tr("A pose is that of"), tr("Some programs write the pose the other way round"),
-                    {tr("the sensor in the base"), tr("the base in the sensor")},
-                    conventions.pose == Conventions::PoseDirection::baseInSensor ? 1 : 0);
-  quaternions_ = addChoice(form, "rigQuaternions", tr("Quaternions"), tr("Where the real part w stands"),
-                           {"x, y, z, w", "w, x, y, z"},
+  angles_ = addChoice(form, "rigAngles", "angle_unit", conventions.radPerAngle == 1.0 ? 0 : 1);
+  lengths_ = addChoice(form, "rigLengths", "length_unit", conventions.mPerLength == 1.0 ? 0 : 1);
+  pose_ = addChoice(form, "rigPose", "pose", conventions.pose == Conventions::PoseDirection::baseInSensor ? 1 : 0);
+  quaternions_ = addChoice(form, "rigQuaternions", "quaternion_order",
                            conventions.quaternionOrder == Conventions::QuaternionOrder::wxyz ? 1 : 0);
   for (QComboBox* box : {point_, force_.name, torque_.name})
     connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ConventionsForm::enableNumbers);
@@ -101,19 +87,20 @@ ConventionsForm::ConventionsForm(const Conventions& conventions, QWidget* parent
   scroll->setVisible(toggle->isChecked());
 }
 
-QComboBox* ConventionsForm::addChoice(QFormLayout* form, const char* name, const QString& title, const QString& tip,
-                                      const QStringList& answers, int now) {
-  auto* box = makeChoice(name, title, tip, 16, this);
-  box->addItems(answers);
+QComboBox* ConventionsForm::addChoice(QFormLayout* form, const char* name, const char* key, int now) {
+  const SetupWords words = setupWords(key);
+  auto* box = makeChoice(name, words.title, words.tip, 16, this);
+  box->addItems(words.choices());
   box->setCurrentIndex(now);
-  form->addRow(title, box);
+  form->addRow(words.title, box);
   return box;
 }
 
-ConventionsForm::UnitChoice ConventionsForm::addUnit(QFormLayout* form, const char* name, const QString& title,
+ConventionsForm::UnitChoice ConventionsForm::addUnit(QFormLayout* form, const char* name, const char* key,
                                                      std::span<const Conventions::Unit> units,
                                                      const Conventions::Unit& now) {
-  UnitChoice out{makeChoice(name, title, tr("In which unit the file holds it"), 8, this), new QDoubleSpinBox(this)};
+  const SetupWords words = setupWords(key);
+  UnitChoice out{makeChoice(name, words.title, words.tip, 8, this), new QDoubleSpinBox(this)};
   int at = static_cast<int>(units.size());
   for (const auto& unit : units) {
     if (unit.si == now.si) at = out.name->count();
@@ -123,7 +110,7 @@ ConventionsForm::UnitChoice ConventionsForm::addUnit(QFormLayout* form, const ch
   out.name->setCurrentIndex(at);
   const QString si = QString::fromStdString(units[0].name);
   out.si->setObjectName(QString(name) + "Number");
-  out.si->setAccessibleName(tr("%1: how many %2 are one of it").arg(title, si));
+  out.si->setAccessibleName(tr("%1: how many %2 one unit is").arg(words.title, si));
   out.si->setToolTip(out.si->accessibleName());
   out.si->setDecimals(9);
   out.si->setRange(1e-9, 1e6);
@@ -134,7 +121,7 @@ ConventionsForm::UnitChoice ConventionsForm::addUnit(QFormLayout* form, const ch
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(out.name, 1);
   row->addWidget(out.si, 1);
-  form->addRow(title, line);
+  form->addRow(words.title, line);
   return out;
 }
 

@@ -2,6 +2,7 @@
 // What the numbers of a recording mean where a driver or a controller has its own ways: folded away until it is wanted.
 #include <QWidget>
 #include <array>
+#include <span>
 
 #include "core/recording/conventions.h"
 
@@ -26,10 +27,10 @@ class ConventionsForm : public QWidget {
     QComboBox* name;
     QDoubleSpinBox* si;  ///< In one of another unit.
   };
-  QComboBox* addChoice(QFormLayout* form, const char* name, const QString& title, const QString& tip,
-                       const QStringList& answers, int now);
-  UnitChoice addUnit(QFormLayout* form, const char* name, const QString& title,
-                     std::span<const Conventions::Unit> units, const Conventions::Unit& now);
+  /// `key`: of the setup file, ui/models/setup_words.h.
+  QComboBox* addChoice(QFormLayout* form, const char* name, const char* key, int now);
+  UnitChoice addUnit(QFormLayout* form, const char* name, const char* key, std::span<const Conventions::Unit> units,
+                     const Conventions::Unit& now);
   static Conventions::Unit chosen(const UnitChoice& choice, std::span<const Conventions::Unit> units,
                                   const Conventions::Unit& before);
   void enableNumbers();

@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <algorithm>
 #include <cmath>
 
 #include "core/math/degrees.h"
@@ -18,6 +19,7 @@
 #include "ui/controller/robot_choice.h"
 #include "ui/import_dialogs/choice.h"
 #include "ui/import_dialogs/conventions_form.h"
+#include "ui/models/setup_words.h"
 #include "ui/widgets/basics.h"
 
 namespace heft {
@@ -60,10 +62,9 @@ RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta,
   form->setContentsMargins(20, 18, 20, 16);
   form->setSpacing(10);
   form->addRow(styledLabel(tr("What was recorded?"), "question", this));
-  form->addRow(wrappedLabel(
-      tr("A wrong entry here spoils every number. If you are not sure how the sensor is mounted, leave it: "
-         "the reality check finds it out."),
-      "answer", this));
+  form->addRow(wrappedLabel(tr("Errors here affect all results. If you are unsure about the mounting, leave it: the "
+                               "reality check can detect it."),
+                            "answer", this));
   const auto choice = [&](const char* name, const QString& title, const QString& tip) {
     return makeChoice(name, title, tip, 20, this);
   };
@@ -73,7 +74,7 @@ RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta,
   urdf_ = new QLineEdit(this);
   urdf_->setObjectName("rigUrdf");
   urdf_->setAccessibleName(tr("Description of the robot (URDF)"));
-  urdf_->setToolTip(tr("The file with the robot's joints and links"));
+  urdf_->setToolTip(tr("The file with the robot’s joints and links"));
   auto* choose = new IconButton("folder", tr("Choose the description of the robot"), this);
   connect(choose, &QToolButton::clicked, this, &RigDialog::chooseUrdf);
   urdfRow_ = new QWidget(this);
@@ -82,48 +83,48 @@ RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta,
   urdfLine->addWidget(urdf_, 1);
   urdfLine->addWidget(choose);
   form->addRow(tr("Its URDF"), urdfRow_);
-  link_ = choice("rigLink", tr("Sensor sits on"), tr("The link of the arm that carries the sensor"));
+  link_ = choice("rigLink", tr("Sensor mounted on"), tr("The link of the arm that carries the sensor"));
   link_->setEditable(true);
-  form->addRow(tr("Sensor sits on"), link_);
+  form->addRow(tr("Sensor mounted on"), link_);
   const QString axes[] = {"x", "y", "z"};
   const QString turns[] = {tr("roll"), tr("pitch"), tr("yaw")};
   for (int a = 0; a < 3; ++a) {
-    xyz_[a] = makeNumber("rigXyz", tr("Sensor's origin from the link, %1").arg(axes[a]), tr(" mm"), 2000, 2, this);
+    xyz_[a] = makeNumber("rigXyz", tr("Sensor’s origin from the link, %1").arg(axes[a]), tr(" mm"), 2000, 2, this);
     rpy_[a] = makeNumber(
-        "rigRpy", tr("Sensor turned against the link, %1 (roll, then pitch, then yaw about fixed axes)").arg(turns[a]),
+        "rigRpy", tr("Sensor’s rotation from the link, %1 (roll, then pitch, then yaw about fixed axes)").arg(turns[a]),
         tr(" °"), 360, 2, this);
-    gravity_[a] = makeNumber("rigGravity", tr("Gravity along the base's %1").arg(axes[a]), tr(" m/s²"), 20, 3, this);
+    gravity_[a] = makeNumber("rigGravity", tr("Gravity along the base’s %1").arg(axes[a]), tr(" m/s²"), 20, 3, this);
     xyz_[a]->setValue(1e3 * meta.mount.xyz(a));
     rpy_[a]->setValue(meta.mount.rpy(a) / kRadPerDegree);
     gravity_[a]->setValue(meta.gravity(a));
   }
-  form->addRow(tr("Origin x, y, z"), inOneRow(xyz_, this));
-  form->addRow(tr("Turned by"), inOneRow(rpy_, this));
-  sign_ = choice("rigSign", tr("Forces"), tr("Hold the tool still: which way does the force point?"));
-  sign_->addItems({tr("point up when the tool hangs still"), tr("point down when the tool hangs still")});
+  form->addRow(setupWords("xyz_m").title, inOneRow(xyz_, this));
+  form->addRow(setupWords("rpy_rad").title, inOneRow(rpy_, this));
+  const auto ask = [&](const char* name, const char* key) {
+    const SetupWords words = setupWords(key);
+    QComboBox* box = choice(name, words.title, words.tip);
+    box->addItems(words.choices());
+    form->addRow(words.title, box);
+    return box;
+  };
+  sign_ = ask("rigSign", "wrench_sign");
   sign_->setCurrentIndex(meta.wrenchSign == WrenchSign::payloadOnSensor ? 1 : 0);
-  form->addRow(tr("Forces"), sign_);
-  stand_ = choice("rigStand", tr("The robot"), tr("Which way gravity pulls at its base"));
-  stand_->addItems({tr("stands upright"), tr("hangs from the ceiling"), tr("stands otherwise")});
-  form->addRow(tr("The robot"), stand_);
+  stand_ = choice("rigStand", tr("Robot mounting"), tr("Which way gravity pulls at its base"));
+  stand_->addItems({tr("upright"), tr("hanging from the ceiling"), tr("other")});
+  form->addRow(tr("Robot mounting"), stand_);
   gravityRow_ = inOneRow(gravity_, this);
-  form->addRow(tr("Gravity x, y, z"), gravityRow_);
-  kind_ = choice("rigKind", tr("The rows are"), tr("Standing poses: one row each, their times mean nothing"));
-  kind_->addItems({tr("a motion"), tr("standing poses")});
+  form->addRow(setupWords("gravity_m_s2").title, gravityRow_);
+  kind_ = ask("rigKind", "kind");
   kind_->setCurrentIndex(meta.kind == RecordingKind::poses ? 1 : 0);
-  form->addRow(tr("The rows are"), kind_);
   model_ = new QLineEdit(QString::fromStdString(meta.sensorModel), this);
   model_->setObjectName("rigModel");
-  model_->setAccessibleName(tr("Make of the sensor"));
-  model_->setToolTip(tr("Only for your own record"));
-  form->addRow(tr("Make of the sensor"), model_);
+  model_->setAccessibleName(tr("Sensor model"));
+  model_->setToolTip(tr("For your own reference only"));
+  form->addRow(tr("Sensor model"), model_);
   conventions_ = new ConventionsForm(meta.conventions, this);
-  connect(conventions_, &ConventionsForm::folded, this, [this] {
-    layout()->activate();
-    adjustSize();
-  });
+  connect(conventions_, &ConventionsForm::folded, this, &RigDialog::fit);
   form->addRow(conventions_);
-  form->addRow(wrappedLabel(tr("Written into %1 beside the recording; all else in it stays.")
+  form->addRow(wrappedLabel(tr("Saved to %1 beside the recording; other entries are kept.")
                                 .arg(QFileInfo(metaFileBeside(recording)).fileName()),
                             "caption", this));
   problem_ = wrappedLabel({}, "body", this);
@@ -131,7 +132,7 @@ RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta,
   problem_->hide();
   form->addRow(problem_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-  buttons->button(QDialogButtonBox::Ok)->setText(tr("Use it"));
+  buttons->button(QDialogButtonBox::Ok)->setText(tr("Apply"));
   buttons->button(QDialogButtonBox::Ok)->setObjectName("useRig");
   connect(buttons, &QDialogButtonBox::accepted, this, &RigDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -150,6 +151,17 @@ RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta,
   connect(stand_, QOverload<int>::of(&QComboBox::activated), this, &RigDialog::gravityChanged);
   robotChanged();
   gravityChanged();
+}
+
+/// As high as its texts need. adjustSize() stops at two thirds of the screen, which cuts the buttons of a small one.
+void RigDialog::fit() {
+  layout()->activate();
+  resize(width(), std::max(layout()->totalHeightForWidth(width()), minimumSizeHint().height()));
+}
+
+void RigDialog::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  fit();
 }
 
 void RigDialog::robotChanged() {

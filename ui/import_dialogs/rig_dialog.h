@@ -27,7 +27,11 @@ class RigDialog : public QDialog {
   RecordingMeta meta() const;
   void accept() override;
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
+  void fit();
   enum Robot { panda, ownArm, noRobot };
   void robotChanged();
   void chooseUrdf();

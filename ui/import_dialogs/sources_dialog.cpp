@@ -37,15 +37,15 @@ std::string partOf(const std::string& column) {
 
 SourcesDialog::SourcesDialog(const QString& recording, QWidget* parent) : QDialog(parent), path_(recording) {
   setObjectName("sourcesDialog");
-  setWindowTitle(tr("Where the numbers come from"));
+  setWindowTitle(tr("Columns and units"));
   setMinimumWidth(640);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(20, 18, 20, 16);
   column->setSpacing(10);
-  column->addWidget(styledLabel(tr("Which column is what?"), "question", this));
-  column->addWidget(wrappedLabel(
-      tr("Heft guesses from types and names in %1. Change what it took wrongly.").arg(QFileInfo(recording).fileName()),
-      "answer", this));
+  column->addWidget(styledLabel(tr("Which column is which?"), "question", this));
+  column->addWidget(wrappedLabel(tr("Heft assigned the columns of %1 by type and name. Correct anything that is wrong.")
+                                     .arg(QFileInfo(recording).fileName()),
+                                 "answer", this));
   auto* state = new QHBoxLayout;
   light_ = new LightIcon(Light::info, 20, this);
   state->addWidget(light_, 0, Qt::AlignTop);
@@ -60,11 +60,11 @@ SourcesDialog::SourcesDialog(const QString& recording, QWidget* parent) : QDialo
   grid->setHorizontalSpacing(12);
   grid->setVerticalSpacing(8);
   grid->setColumnStretch(1, 1);
-  addRow(grid, "wrench", tr("Force and torque"), tr("As the sensor at the wrist measured them"),
+  addRow(grid, "wrench", tr("Force and torque"), tr("As measured by the sensor at the wrist"),
          {{tr("N and N m"), 1.0}, {tr("N and N mm"), 0.001}});
-  addRow(grid, "joints", tr("Joint angles"), tr("With them Heft needs no pose"),
+  addRow(grid, "joints", tr("Joint angles"), tr("With joint angles, no pose is needed"),
          {{tr("radians"), 1.0}, {tr("degrees"), kRadPerDegree}});
-  addRow(grid, "velocities", tr("Joint speeds"), tr("Only beside joint angles; Heft can do without"),
+  addRow(grid, "velocities", tr("Joint speeds"), tr("Only with joint angles; optional"),
          {{tr("rad/s"), 1.0}, {tr("degrees/s"), kRadPerDegree}});
   addRow(grid, "quaternion", tr("Orientation"),
          tr("Of the sensor or the flange, as a quaternion; needed without joint angles"), {});
@@ -74,14 +74,14 @@ SourcesDialog::SourcesDialog(const QString& recording, QWidget* parent) : QDialo
   column->addLayout(grid);
   addMore(column);
   addColumns(column);
-  column->addWidget(wrappedLabel(tr("Kept in %1 beside the recording; the command line reads it, too.")
+  column->addWidget(wrappedLabel(tr("Saved to %1 beside the recording; also used by the command line.")
                                      .arg(QString::fromStdString(mapFileOf(path_.toStdString()).filename().string())),
                                  "caption", this));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   read_ = buttons->button(QDialogButtonBox::Ok);
   read_->setObjectName("readSo");
-  read_->setText(tr("Read it so"));
-  guess_ = buttons->addButton(tr("Back to Heft’s guess"), QDialogButtonBox::ResetRole);
+  read_->setText(tr("Apply"));
+  guess_ = buttons->addButton(tr("Reset"), QDialogButtonBox::ResetRole);
   guess_->setObjectName("heftsGuess");
   connect(guess_, &QPushButton::clicked, this, [this] {
     wishes_ = {};
@@ -111,7 +111,7 @@ void SourcesDialog::addRow(QGridLayout* grid, const QString& part, const QString
     look();
   });
   if (!units.empty()) {
-    row.unit = makeChoice("unit_" + part, tr("Unit of: %1").arg(title), tr("In which unit the file holds it"), 9, this);
+    row.unit = makeChoice("unit_" + part, tr("Unit of: %1").arg(title), tr("Unit used in the file"), 9, this);
     for (const auto& [text, factor] : units) row.unit->addItem(text, factor);
     grid->addWidget(row.unit, at, 2);
     connect(row.unit, QOverload<int>::of(&QComboBox::activated), this, [this, part, box = row.unit](int) {
@@ -125,9 +125,9 @@ void SourcesDialog::addRow(QGridLayout* grid, const QString& part, const QString
 void SourcesDialog::addMore(QVBoxLayout* column) {
   auto* row = new QHBoxLayout;
   row->setSpacing(12);
-  row->addWidget(styledLabel(tr("Poses are those of"), "rowName", this));
-  poseOf_ = makeChoice("poseOf", tr("Poses are those of"),
-                       tr("The sensor's follow from the flange's by how it is mounted"), 12, this);
+  row->addWidget(styledLabel(tr("Poses describe"), "rowName", this));
+  poseOf_ = makeChoice("poseOf", tr("Poses describe"),
+                       tr("The sensor’s poses are derived from the flange’s by its mounting"), 12, this);
   poseOf_->addItem(tr("the sensor"), false);
   poseOf_->addItem(tr("the flange"), true);
   row->addWidget(poseOf_, 1);
@@ -139,7 +139,7 @@ void SourcesDialog::addMore(QVBoxLayout* column) {
   shift_ = new QDoubleSpinBox(this);
   shift_->setObjectName("wrenchShift");
   shift_->setAccessibleName(tr("Seconds added to the times of force and torque"));
-  shift_->setToolTip(tr("Where the clock of force and torque is another one and Heft cannot find out by how much"));
+  shift_->setToolTip(tr("For force and torque on another clock, where Heft cannot determine the offset"));
   shift_->setRange(-1e10, 1e10);
   shift_->setDecimals(3);
   shift_->setSuffix(tr(" s"));
@@ -162,7 +162,7 @@ void SourcesDialog::addMore(QVBoxLayout* column) {
   auto* files = new QHBoxLayout;
   auto* add = new QPushButton(tr("Add another file…"), this);
   add->setObjectName("addFile");
-  add->setToolTip(tr("For instance the sensor's own log beside the robot's"));
+  add->setToolTip(tr("For instance the sensor’s own log beside the robot’s"));
   connect(add, &QPushButton::clicked, this, &SourcesDialog::addFile);
   files->addWidget(add, 0, Qt::AlignTop);
   files_ = new QVBoxLayout;
@@ -191,7 +191,7 @@ void SourcesDialog::addColumns(QVBoxLayout* column) {
     auto* label = styledLabel(QString::fromLatin1(name), "rowName", content);
     auto* box =
         makeChoice(QStringLiteral("column_%1").arg(QLatin1String(name)), tr("Column for %1").arg(QLatin1String(name)),
-                   tr("Where %1 is read from").arg(QLatin1String(name)), 12, content);
+                   tr("Source of %1").arg(QLatin1String(name)), 12, content);
     box->setModel(&fields_);
     grid->addWidget(label, row, place);
     grid->addWidget(box, row, place + 1);
@@ -232,7 +232,7 @@ void SourcesDialog::showFiles() {
     auto* row = new QHBoxLayout(line);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(styledLabel(name, "rowName", line), 1);
-    auto* remove = new IconButton("close", tr("Leave %1 out again").arg(name), line);
+    auto* remove = new IconButton("close", tr("Remove %1").arg(name), line);
     connect(remove, &QToolButton::clicked, this, [this, k] {
       wishes_.join.erase(wishes_.join.begin() + static_cast<std::ptrdiff_t>(k));
       showFiles();
@@ -268,7 +268,7 @@ void SourcesDialog::look() {
   if (!first_) options.wishes = wishes_;
   complete_ = false;
   read_->setEnabled(false);
-  showState(true, tr("Looking …"));
+  showState(true, tr("Checking …"));
   light_->setLight(Light::info);
   jobs_.start(
       QString(),
@@ -338,7 +338,7 @@ void SourcesDialog::showRow(const Row& row, const RecordingContents& found) {
   row.source->clear();
   const auto said = wishes_.use.find(part);
   if (part == "time") {
-    row.source->addItem(tr("Heft’s choice"), QString());
+    row.source->addItem(tr("automatic"), QString());
     for (const std::string& name : found.timeCandidates)
       row.source->addItem(QString::fromStdString(name), QString::fromStdString(name));
     row.source->setEnabled(row.source->count() > 1);
@@ -347,9 +347,9 @@ void SourcesDialog::showRow(const Row& row, const RecordingContents& found) {
     for (const ColumnSource& each : found.chosen)
       if (taken.isEmpty() && partOf(each.column) == part) taken = streamName(found.streams[each.stream]);
     const bool own = said == wishes_.use.end() && !taken.isEmpty();
-    row.source->addItem(own                                           ? tr("Heft’s choice: %1").arg(taken)
-                        : found.candidates.empty() || taken.isEmpty() ? tr("none found")
-                                                                      : tr("Heft’s choice"),
+    row.source->addItem(own                                           ? tr("automatic: %1").arg(taken)
+                        : found.candidates.empty() || taken.isEmpty() ? tr("not found")
+                                                                      : tr("automatic"),
                         QString());
     for (const ColumnCandidate& candidate : found.candidates) {
       if (candidate.part != part) continue;

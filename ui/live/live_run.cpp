@@ -43,7 +43,7 @@ Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   QString file;
   if (!setup.poses) {
     if (!QDir().mkpath(setup.folder))
-      return Error{tr("The folder %1 for recordings cannot be made.").arg(setup.folder).toStdString()};
+      return Error{tr("The folder %1 for recordings cannot be created.").arg(setup.folder).toStdString()};
     file = freeName(setup.folder, setup.name);
     // Without a robot the first samples tell that it is a Panda, which the meta then has to say, too.
     if (auto recorded = session->record(file.toStdString(), setup.meta); !recorded) return recorded.error();
@@ -288,7 +288,7 @@ Result<QString> LiveRun::keep() {
   const QString file = stop();
   if (!poses || kept.rows() < 2) return file;
   if (!QDir().mkpath(folder_))
-    return Error{tr("The folder %1 for recordings cannot be made.").arg(folder_).toStdString()};
+    return Error{tr("The folder %1 for recordings cannot be created.").arg(folder_).toStdString()};
   const QString path = freeName(folder_, name_);
   if (auto written = writeRecording(kept, path.toStdString()); !written) return written.error();
   return path;

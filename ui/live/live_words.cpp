@@ -31,31 +31,31 @@ constexpr CoachWords kCoach[] = {
     {"turn-slowly", QT_TRANSLATE_NOOP("LiveWords", "Rotate the tool slowly about its long axis, as far as it goes"),
      QT_TRANSLATE_NOOP("LiveWords", "turn far, slowly")},
     {"turn-fast", QT_TRANSLATE_NOOP("LiveWords", "Rotate the tool back and forth about its long axis, faster"),
-     QT_TRANSLATE_NOOP("LiveWords", "turn to and fro, faster")},
-    {"swing-sideways", QT_TRANSLATE_NOOP("LiveWords", "Swing the tool sideways to and fro, once a second"),
+     QT_TRANSLATE_NOOP("LiveWords", "turn back and forth, faster")},
+    {"swing-sideways", QT_TRANSLATE_NOOP("LiveWords", "Swing the tool from side to side, once per second"),
      QT_TRANSLATE_NOOP("LiveWords", "swing sideways")},
-    {"swing-forwards", QT_TRANSLATE_NOOP("LiveWords", "Swing the tool forwards and back, once a second"),
+    {"swing-forwards", QT_TRANSLATE_NOOP("LiveWords", "Swing the tool back and forth, once per second"),
      QT_TRANSLATE_NOOP("LiveWords", "swing forwards")},
-    {"swing-round", QT_TRANSLATE_NOOP("LiveWords", "Swing the tool round in a circle, once a second"),
+    {"swing-round", QT_TRANSLATE_NOOP("LiveWords", "Swing the tool in a circle, once per second"),
      QT_TRANSLATE_NOOP("LiveWords", "swing in a circle")},
-    {"shake-sideways", QT_TRANSLATE_NOOP("LiveWords", "Shake the tool sideways, about three times a second"),
+    {"shake-sideways", QT_TRANSLATE_NOOP("LiveWords", "Shake the tool sideways, about three times per second"),
      QT_TRANSLATE_NOOP("LiveWords", "shake sideways")},
-    {"shake-forwards", QT_TRANSLATE_NOOP("LiveWords", "Shake the tool forwards and back, about three times a second"),
+    {"shake-forwards", QT_TRANSLATE_NOOP("LiveWords", "Shake the tool back and forth, about three times per second"),
      QT_TRANSLATE_NOOP("LiveWords", "shake forwards")},
-    {"shake-about", QT_TRANSLATE_NOOP("LiveWords", "Shake the tool about its long axis, two to three times a second"),
+    {"shake-about", QT_TRANSLATE_NOOP("LiveWords", "Shake the tool about its long axis, two to three times per second"),
      QT_TRANSLATE_NOOP("LiveWords", "shake about its axis")},
     {"wobble",
      QT_TRANSLATE_NOOP("LiveWords",
-                       "Wobble the tool: tilt it in all directions while twisting it, about twice a second"),
-     QT_TRANSLATE_NOOP("LiveWords", "wobble: tip and twist at once")},
+                       "Wobble the tool: tilt it in all directions while twisting it, about twice per second"),
+     QT_TRANSLATE_NOOP("LiveWords", "wobble: tilt and twist at once")},
     {"shake-wrist",
      QT_TRANSLATE_NOOP(
          "LiveWords",
-         "Shake the tool from the wrist, two to three times a second: tilt it in all directions while twisting it"),
+         "Shake the tool from the wrist, two to three times per second: tilt it in all directions while twisting it"),
      QT_TRANSLATE_NOOP("LiveWords", "shake from the wrist")},
     {"swing-wrist",
      QT_TRANSLATE_NOOP("LiveWords",
-                       "Swing the tool from the wrist, once a second: tilt it in all directions while twisting it"),
+                       "Swing the tool from the wrist, once per second: tilt it in all directions while twisting it"),
      QT_TRANSLATE_NOOP("LiveWords", "swing from the wrist")},
 };
 
@@ -104,7 +104,7 @@ bool fromShape(const Identifiability& id, CoachGoal what) {
 }  // namespace
 
 QString coachSentence(const Advice& advice) {
-  if (!advice.needed) return Words::tr("Nothing more is needed: the tool is known well");
+  if (!advice.needed) return Words::tr("Nothing more is needed: all values are well known");
   const CoachWords* words = coachWords(advice);
   return words ? Words::tr(words->sentence) : QString::fromStdString(advice.sentence);
 }
@@ -141,11 +141,11 @@ std::vector<KnownText> knownTexts(const OnlineState& state) {
       text.words =
           fromShape(state.identifiability, goals[k]) ? Words::tr("From your shape") : Words::tr("Nearly there");
     } else if (!state.estimated) {
-      text.words = k == 0   ? Words::tr("Not yet, move the tool")
-                   : k == 1 ? Words::tr("Not yet, tilt the tool")
-                            : Words::tr("Not yet, turn the tool");
+      text.words = k == 0   ? Words::tr("Not yet: move the tool")
+                   : k == 1 ? Words::tr("Not yet: tilt the tool")
+                            : Words::tr("Not yet: rotate the tool");
     } else {
-      text.words = k == 2 ? Words::tr("Not yet, needs faster turns") : Words::tr("Not yet, needs more tilt");
+      text.words = k == 2 ? Words::tr("Not yet: rotate faster") : Words::tr("Not yet: tilt more");
     }
     // Whoever guides wants to see the number settle, not only how sure it is.
     if (k == 0 && text.light != Light::unknown) text.name += QChar(' ') + massText(state.payload.mass, 3);
@@ -160,7 +160,7 @@ QString poseWord(PoseLight light) {
     case PoseLight::used:
       return Words::tr("used");
     case PoseLight::tooClose:
-      return Words::tr("too close to another one");
+      return Words::tr("too similar to another one");
     case PoseLight::moving:
       return Words::tr("moved");
     case PoseLight::contact:
@@ -201,7 +201,7 @@ QString spreadWords(const LiveView& view) {
       break;
   }
   return used < 2 ? Words::tr("All poses have the same orientation. Tilt the tool by at least 30°.")
-                  : Words::tr("The tool has been tilted about one axis only: tilt it about another one too.");
+                  : Words::tr("The tool has been tilted about one axis only. Tilt it about another axis, too.");
 }
 
 QString countersText(const SessionStatus& status) {
@@ -232,11 +232,11 @@ QString linkWord(LinkState state) {
     case LinkState::live:
       return Words::tr("connected");
     case LinkState::lost:
-      return Words::tr("connection lost, trying again …");
+      return Words::tr("connection lost, reconnecting …");
     case LinkState::failed:
       return Words::tr("failed");
     case LinkState::finished:
-      return Words::tr("played to its end");
+      return Words::tr("replay finished");
   }
   return {};
 }

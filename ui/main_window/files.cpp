@@ -87,15 +87,15 @@ bool Files::save() {
 
 bool Files::saveAs() {
   const QString base = besideRecording();
-  QString path = QFileDialog::getSaveFileName(
-      window_, tr("Save the session"), base.isEmpty() ? QString() : base + ".heft", tr("Heft sessions (*.heft)"));
+  QString path = QFileDialog::getSaveFileName(window_, tr("Save session"), base.isEmpty() ? QString() : base + ".heft",
+                                              tr("Heft sessions (*.heft)"));
   if (path.isEmpty()) return false;
   if (QFileInfo(path).suffix().isEmpty()) {
     path += ".heft";
     // The dialog asked about the name without the extension; this one it has not seen.
     if (QFileInfo::exists(path)) {
       emit said(Severity::error,
-                tr("%1 exists already and was not replaced: choose it in the dialog to replace it.").arg(path));
+                tr("%1 already exists and was not overwritten. Choose it in the dialog to overwrite it.").arg(path));
       return false;
     }
   }
@@ -109,9 +109,9 @@ bool Files::mayClose() {
   if (mayEnd_ && !mayEnd_()) return false;
   // A recording that was only opened is not worth a question.
   if (!remembers_ || workspace_->undoStack()->isClean()) return true;
-  QMessageBox box(QMessageBox::NoIcon, tr("Heft Studio"), tr("Save the session first?"),
+  QMessageBox box(QMessageBox::NoIcon, tr("Heft Studio"), tr("Save changes to this session?"),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
-  box.setInformativeText(tr("Marks, shape and settings since the last save would be gone."));
+  box.setInformativeText(tr("Unsaved marks, shape and settings will be lost."));
   const int answer = box.exec();
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }
@@ -137,7 +137,7 @@ void Files::fillRecent(QMenu* menu) {
   connect(menu, &QMenu::aboutToShow, this, [this, menu] {
     menu->clear();
     for (const QString& path : recent()) menu->addAction(path, this, [this, path] { open({path}); });
-    if (menu->isEmpty()) menu->addAction(tr("Nothing yet"))->setEnabled(false);
+    if (menu->isEmpty()) menu->addAction(tr("No recent files"))->setEnabled(false);
   });
 }
 
@@ -159,7 +159,7 @@ void Files::tellSaved(const Result<bool>& written, const QString& path) {
 void Files::savePicture(const QImage& image, const QString& what) {
   const QString base = besideRecording();
   const QString path = QFileDialog::getSaveFileName(
-      window_, tr("Save a picture"), (base.isEmpty() ? QString() : base + "-") + what + ".png", tr("Pictures (*.png)"));
+      window_, tr("Save picture"), (base.isEmpty() ? QString() : base + "-") + what + ".png", tr("Pictures (*.png)"));
   if (path.isEmpty()) return;
   QBuffer bytes;
   bytes.open(QIODevice::WriteOnly);

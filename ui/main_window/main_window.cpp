@@ -150,7 +150,7 @@ void MainWindow::addPanels(const StudioMenus& menus) {
   parts.playback = &playback_;
   parts.view = view_;
   parts.plots = pane_;
-  // "Go on" leads past a step that this build has no panel for.
+  // "Continue" leads past a step that this build has no panel for.
   parts.goTo = [this](Step step) {
     while (!panels_.contains(step) && step < Step::exportFile) step = static_cast<Step>(static_cast<int>(step) + 1);
     showStep(step);
@@ -226,7 +226,7 @@ void MainWindow::connectParts() {
                                     [this, path] { files_->editRig(path); });
           });
   connect(&playback_, &Playback::timeChanged, view_, &RobotView::showTime);
-  connect(view_, &RobotView::pictureWanted, this, [this] { files_->savePicture(view_->grab().toImage(), tr("view")); });
+  connect(view_, &RobotView::pictureWanted, this, [this] { files_->savePicture(view_->picture(), tr("view")); });
   connect(pane_, &RecordingPane::csvWanted, this,
           [this] { files_->saveText(pane_->visibleText(), tr("visible"), ".csv", tr("Tables (*.csv)")); });
   for (auto* button : findChildren<QAbstractButton*>("aloneButton"))
@@ -351,10 +351,7 @@ void MainWindow::showManual(bool shown) {
 
 QImage MainWindow::pictureOf(const QString& part) {
   if (part == "window") return picture();
-  if (part == "view") {
-    view_->renderNow();
-    return view_->grab().toImage();
-  }
+  if (part == "view") return view_->picture();
   // What stands under the 3D view: in the reality check, the difference.
   if (part == "plots") return (below_->currentWidget() ? below_->currentWidget() : pane_)->grab().toImage();
   if (part == "panel") return panelStack_->grab().toImage();
@@ -388,30 +385,29 @@ void MainWindow::useAutosave(Autosave* autosave) {
   connect(autosave_, &Autosave::saved, this, &MainWindow::showSaved);
   connect(autosave_, &Autosave::failed, this, [this](const QString& why) {
     message_->showMessage(Severity::warning,
-                          tr("The session is not saved automatically at the moment: %1 Save it elsewhere.").arg(why),
+                          tr("The session cannot be saved automatically: %1 Save it elsewhere.").arg(why),
                           tr("Save as …"), [this] { files_->saveAs(); });
   });
   showSaved();
   if (autosave_->leftBehind().isEmpty()) return offerUnfinished();
-  message_->showMessage(Severity::warning, tr("Your last session was not closed by hand. What you had open was kept."),
-                        tr("Open it again"), [this] {
-                          const auto recovered = autosave_->recover();
-                          if (!recovered.unreadable.isEmpty()) {
-                            const auto& [file, reason] = recovered.unreadable.first();
-                            message_->showMessage(
-                                recovered.opened ? Severity::warning : Severity::error,
-                                tr("What was kept could not be read; it is now %1. %2").arg(file, reason));
-                          } else if (recovered.opened) {
-                            offerUnfinished();
-                          }
-                        });
+  message_->showMessage(
+      Severity::warning, tr("Your last session was not closed. It was saved automatically."), tr("Restore"), [this] {
+        const auto recovered = autosave_->recover();
+        if (!recovered.unreadable.isEmpty()) {
+          const auto& [file, reason] = recovered.unreadable.first();
+          message_->showMessage(recovered.opened ? Severity::warning : Severity::error,
+                                tr("The saved session could not be restored; it is now %1. %2").arg(file, reason));
+        } else if (recovered.opened) {
+          offerUnfinished();
+        }
+      });
 }
 
 void MainWindow::offerUnfinished() {
   const QStringList recordings = unfinishedRecordings(recordedFolder()) + unfinishedRecordings(earlierRecordedFolder());
   if (recordings.isEmpty()) return;
   message_->showMessage(Severity::warning,
-                        tr("The program ended in the middle of a recording. What came until then was kept."),
+                        tr("Heft Studio closed during a recording. The data up to that point was saved."),
                         tr("Open the recording"), [this, recordings] {
                           for (const QString& recording : recordings) forgetUnfinished(recording);
                           workspace_->open(recordings);

@@ -27,7 +27,7 @@ StudioMenus MenuBuilder::build(QMenuBar* bar) {
 }
 
 void MenuBuilder::finish(QMenuBar*, const StudioMenus& menus) {
-  QMenu* steps = menus.view->addMenu(tr("S&tep"));
+  QMenu* steps = menus.view->addMenu(tr("&Go to step"));
   for (const Step step : kAllSteps) {
     if (!w_->panel(step)) continue;
     QAction* action = steps->addAction(stepName(step), w_, [w = w_, step] { w->showStep(step); });
@@ -44,16 +44,14 @@ void MenuBuilder::buildFile(QMenu* menu) {
   menu->addAction(tr("&Open …"), w_->files_, &Files::choose)->setShortcut(QKeySequence::Open);
   w_->files_->fillRecent(menu->addMenu(tr("Open &recent")));
   menu->addSeparator();
-  menu->addAction(tr("&Save the session"), w_->files_, &Files::save)->setShortcut(QKeySequence::Save);
-  menu->addAction(tr("Save the session &as …"), w_->files_, &Files::saveAs)->setShortcut(QKeySequence("Ctrl+Shift+S"));
+  menu->addAction(tr("&Save session"), w_->files_, &Files::save)->setShortcut(QKeySequence::Save);
+  menu->addAction(tr("Save session &as …"), w_->files_, &Files::saveAs)->setShortcut(QKeySequence("Ctrl+Shift+S"));
   menu->addSeparator();
-  QAction* payload = menu->addAction(tr("Payload &file …"), w_, [w = w_] { w->showStep(Step::exportFile); });
+  QAction* payload = menu->addAction(tr("Export payload &file …"), w_, [w = w_] { w->showStep(Step::exportFile); });
   payload->setShortcut(QKeySequence("Ctrl+E"));
-  QMenu* pictures = menu->addMenu(tr("Save a &picture"));
-  const std::pair<QString, const char*> parts[] = {{tr("Of the &window …"), "window"},
-                                                   {tr("Of the 3D &view …"), "view"},
-                                                   {tr("Of the &plots …"), "plots"},
-                                                   {tr("Of the pan&el …"), "panel"}};
+  QMenu* pictures = menu->addMenu(tr("Save &picture"));
+  const std::pair<QString, const char*> parts[] = {
+      {tr("&Window …"), "window"}, {tr("3D &view …"), "view"}, {tr("&Plots …"), "plots"}, {tr("Pan&el …"), "panel"}};
   for (const auto& [text, part] : parts)
     pictures->addAction(text, w_, [w = w_, name = QString(part)] { w->files_->savePicture(w->pictureOf(name), name); });
 }
@@ -76,21 +74,21 @@ void MenuBuilder::buildView(QMenu* menu) {
   const auto addView = [&](const QString& text, const QKeySequence& key, RobotView::Preset preset) {
     menu->addAction(text, w_, [w = w_, preset] { w->view_->usePreset(preset); })->setShortcut(key);
   };
-  addView(tr("&Whole arm"), Qt::Key_F, RobotView::Preset::overview);
-  addView(tr("&Tool"), Qt::Key_T, RobotView::Preset::tool);
-  addView(tr("F&ront"), QKeySequence("Ctrl+1"), RobotView::Preset::front);
+  addView(tr("Zoom to &whole arm"), Qt::Key_F, RobotView::Preset::overview);
+  addView(tr("Zoom to &tool"), Qt::Key_T, RobotView::Preset::tool);
+  addView(tr("Fro&nt"), QKeySequence("Ctrl+1"), RobotView::Preset::front);
   addView(tr("&Side"), QKeySequence("Ctrl+2"), RobotView::Preset::side);
   addView(tr("T&op"), QKeySequence("Ctrl+3"), RobotView::Preset::top);
   menu->addSeparator();
-  menu->addAction(tr("Whole &recording in the plots"), w_, [w = w_] { w->pane_->timeAxis()->showAll(); })
+  menu->addAction(tr("Zoom to whole &recording"), w_, [w = w_] { w->pane_->timeAxis()->showAll(); })
       ->setShortcut(QKeySequence("Ctrl+0"));
   using Alone = MainWindow::Alone;
   const auto addAlone = [&](const QString& text, const QKeySequence& key, Alone what) {
     menu->addAction(text, w_, [w = w_, what] { w->showAlone(w->alone() == what ? Alone::nothing : what); })
         ->setShortcut(key);
   };
-  addAlone(tr("&Plots alone"), Qt::Key_F11, Alone::below);
-  addAlone(tr("3D view alo&ne"), QKeySequence("Shift+F11"), Alone::view);
+  addAlone(tr("Maximise &plots"), Qt::Key_F11, Alone::below);
+  addAlone(tr("Maximise 3D &view"), QKeySequence("Shift+F11"), Alone::view);
   QAction* details = menu->addAction(tr("D&etails"), w_, [w = w_] { w->showDetails(!w->detailsShown()); });
   details->setShortcut(QKeySequence("Ctrl+D"));
   menu->addSeparator();
@@ -109,10 +107,10 @@ void MenuBuilder::buildView(QMenu* menu) {
 void MenuBuilder::buildTools(QMenu* menu) {
   QAction* again = menu->addAction(tr("&Estimate again"), w_->workspace_, &Workspace::estimate);
   again->setShortcut(QKeySequence("Ctrl+R"));
-  QAction* stop = menu->addAction(tr("&Stop the work under way"), w_->workspace_, &Workspace::cancel);
+  QAction* stop = menu->addAction(tr("S&top the current task"), w_->workspace_, &Workspace::cancel);
   menu->addSeparator();
   QAction* rig = menu->addAction(tr("&Robot and sensor …"), w_, [w = w_] { w->files_->editRig(); });
-  QAction* sources = menu->addAction(tr("Where the &numbers come from …"), w_, [w = w_] { w->files_->editSources(); });
+  QAction* sources = menu->addAction(tr("Columns and &units …"), w_, [w = w_] { w->files_->editSources(); });
   rig->setObjectName("editRig");
   sources->setObjectName("editSources");
   QObject::connect(menu, &QMenu::aboutToShow, w_, [w = w_, again, stop, rig, sources] {
@@ -132,8 +130,9 @@ void MenuBuilder::buildHelp(QMenu* menu) {
     box.setIconPixmap(applicationIcon().pixmap(48, 48));
     box.setText(tr("Heft Studio %1").arg(QCoreApplication::applicationVersion()));
     box.setInformativeText(
-        tr("Finds out what a robot arm carries. Heft’s source is under the Apache License 2.0; this program links "
-           "QCustomPlot and may be passed on under the GNU General Public License, version 3 or later."));
+        tr("Estimates the mass, centre of mass and inertia of a robot’s payload. Heft’s source is under the Apache "
+           "License 2.0; this program links QCustomPlot and may be redistributed under the GNU General Public License, "
+           "version 3 or later."));
     box.exec();
   });
   about->setObjectName("about");

@@ -97,9 +97,9 @@ Preferences::Preferences(const Choice& now, const QList<QPair<QString, QString>>
 
 QWidget* Preferences::makeKeys(const QMenuBar* bar) {
   KeyRows rows{{tr("Play or pause"), tr("Space")},
-               {tr("Time back or on; with Shift further"), tr("Left, Right")},
+               {tr("Back or forward in time; with Shift, further"), tr("Left, Right")},
                {tr("Beginning, end of the recording"), tr("Home, End")},
-               {tr("Zoom the plots; all of them"), QStringLiteral("+, −, 0")},
+               {tr("Zoom the plots; whole recording"), QStringLiteral("+, −, 0")},
                {tr("Next part of the window"), QStringLiteral("F6")},
                {tr("Press the button that has the focus"), tr("Enter")}};
   for (const QAction* top : bar->actions())

@@ -33,7 +33,7 @@ StatusBar::StatusBar(QWidget* parent) : QWidget(parent) {
   bar_->setFixedWidth(140);
   bar_->setAccessibleName(tr("Progress"));
   row->addWidget(bar_);
-  cancel_ = new IconButton("close", tr("Stop this"), this);
+  cancel_ = new IconButton("close", tr("Stop this task"), this);
   cancel_->setObjectName("cancelButton");
   cancel_->setIconSize(QSize(14, 14));
   row->addWidget(cancel_);

@@ -18,16 +18,16 @@ QString textFor(Step step) {
           "hose pulls at the tool, and Heft does not know that. Press the space bar to see the arm move.");
     case Step::mark:
       return Tour::tr(
-          "Only segments in which the tool touched nothing tell its weight. Heft has sorted them; everything is free "
-          "here. In your own recordings you can paint over what Heft took wrongly.");
+          "Only segments without contact are used. Heft has marked them; everything is free here. In your own "
+          "recordings you can paint over marks that are wrong.");
     case Step::shape:
       return Tour::tr(
           "If you know roughly what the tool looks like, describe it here: it helps where the motion shows too little. "
           "“I don’t know” is a fine answer, and right for now.");
     case Step::result:
       return Tour::tr(
-          "The weight, and how certain Heft is. The triangles mean: check first, something besides a rigid tool is at "
-          "work. The tool of this sample really weighs 0.800 kg.");
+          "The weight, and how certain it is. The triangles are warnings: something other than a rigid tool affects "
+          "the readings. The tool of this sample really weighs 0.800 kg.");
     case Step::realityCheck:
       return Tour::tr(
           "Here Heft names the cause and draws it on the arm. Press “Apply this correction”, look at the curves below "
@@ -35,8 +35,8 @@ QString textFor(Step step) {
           "at step 4: the number has come close to the truth.");
     case Step::exportFile:
       return Tour::tr(
-          "Choose your controller, look at the file, save it. That is all. Go on with a recording of your own, with "
-          "the virtual arm, or with a hidden fault from the menu Practice.");
+          "Choose your controller, look at the file, save it. That is all. Continue with a recording of your own, with "
+          "the virtual arm, or with an exercise from the menu Practice.");
   }
   return {};
 }

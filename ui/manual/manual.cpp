@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "ui/models/glossary.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/basics.h"
 
@@ -78,7 +79,7 @@ void Manual::open(const QString& chapter) {
           .arg(t.text.name(), t.accent.name()));
   browser_->clear();
   browser_->document()->setDefaultFont(uiFont(type::kBody));
-  browser_->setHtml(QString::fromUtf8(file.readAll()));
+  browser_->setHtml(QString::fromUtf8(file.readAll()).replace(QStringLiteral("<!-- glossary -->"), glossaryTable()));
   browser_->setFocus();
   // Only after the text is laid out it has a place to go to.
   QTimer::singleShot(0, this, [this, chapter] {

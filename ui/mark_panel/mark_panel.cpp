@@ -18,6 +18,7 @@
 #include "core/workspace/marks.h"
 #include "ui/controller/workspace.h"
 #include "ui/mark_panel/share_bar.h"
+#include "ui/models/glossary.h"
 #include "ui/models/numbers.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/theme.h"
@@ -150,7 +151,7 @@ void MarkPanel::refresh() {
   QVBoxLayout* column =
       page()->restart(tr("When was the tool free (not touching anything)?"),
                       poses ? tr("Standing poses are all used.")
-                            : (segments.empty() ? workspace().busy() ? tr("Heft is looking at the recording …")
+                            : (segments.empty() ? workspace().busy() ? tr("Checking the recording …")
                                                   : workspace().lastFailure().isEmpty() ? tr("Nothing was found.")
                                                                                         : workspace().lastFailure()
                                                 : markAnswer(summary)));
@@ -175,11 +176,11 @@ void MarkPanel::refresh() {
   if (!poses) addTrim(column);
   column->addStretch(1);
   page()->setSecondButton(tr("Back"), [this] { parts().goTo(Step::record); });
-  const QString accept = summary.suggestions == 1   ? tr("Accept it and go on")
-                         : summary.suggestions == 2 ? tr("Accept both and go on")
-                                                    : tr("Accept all %1 and go on").arg(summary.suggestions);
+  const QString accept = summary.suggestions == 1   ? tr("Accept and continue")
+                         : summary.suggestions == 2 ? tr("Accept both and continue")
+                                                    : tr("Accept all %1 and continue").arg(summary.suggestions);
   page()->setMainButton(
-      summary.suggestions > 0 ? accept : tr("Go on"), [this] { acceptAll(); },
+      summary.suggestions > 0 ? accept : tr("Continue"), [this] { acceptAll(); },
       summary.suggestions > 0 ? QStringLiteral("check") : QString());
   page()->setScrollPosition(position);
   emit stateChanged();
@@ -204,7 +205,7 @@ void MarkPanel::addSuggestion(QVBoxLayout* column, const Segment& segment, bool 
   card.layout->addWidget(wrappedLabel(QString::fromStdString(segment.reason), "answer", content));
   auto* sure = new QHBoxLayout;
   sure->setSpacing(8);
-  sure->addWidget(styledLabel(tr("Heft is"), "caption", content));
+  sure->addWidget(styledLabel(tr("Confidence"), "caption", content));
   sure->addWidget(styledLabel(confidenceWord(segment.confidence), "captionBold", content));
   sure->addWidget(new ConfidenceBar(segment.confidence, content));
   // Never a certainty: nobody looked.
@@ -263,7 +264,7 @@ void MarkPanel::addPainting(QVBoxLayout* column, const QString& title) {
   auto* head = new QHBoxLayout;
   head->addWidget(styledLabel(title, "sectionTitle", content));
   head->addStretch(1);
-  head->addWidget(styledLabel(tr("drag over the marks"), "caption", content));
+  head->addWidget(styledLabel(tr("drag along the bar"), "caption", content));
   column->addLayout(head);
   const QString names[] = {tr("Free"), tr("Contact"), tr("Ignore")};
   QStringList texts;
@@ -273,10 +274,13 @@ void MarkPanel::addPainting(QVBoxLayout* column, const QString& title) {
     auto* button = brushes_->button(static_cast<int>(k));
     button->setIcon(markSwatch(kLabels[k]));
     if (kLabels[k] == brush_) brushes_->setChosen(static_cast<int>(k));
+    const char* const terms[] = {"free", "contact", ""};
+    const QString meaning = glossaryTip(terms[k]);
     button->setToolTip(tr("Paint with %1 (key %2). By keys: go to the marks bar, Enter begins, arrow keys move, Enter "
                           "ends.")
                            .arg(names[k])
-                           .arg(k + 1));
+                           .arg(k + 1) +
+                       (meaning.isEmpty() ? QString() : QStringLiteral("\n") + meaning));
     button->setAccessibleName(tr("Paint as %1").arg(names[k]));
   }
   connect(brushes_, &Segments::picked, this, [this](int i) { chooseBrush(kLabels[static_cast<std::size_t>(i)]); });
@@ -289,9 +293,9 @@ void MarkPanel::addTrim(QVBoxLayout* column) {
   column->addSpacing(4);
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
-  row->addWidget(wrappedLabel(tr("Also left out at each end, where arms are gripped and let go"), "caption", content),
-                 1);
-  auto* trim = new Stepper(tr("Left out at each end"), QStringLiteral("%"), {0.0, 45.0, 1.0, 0}, content);
+  row->addWidget(
+      wrappedLabel(tr("Also excluded at each end, where the arm is gripped and released"), "caption", content), 1);
+  auto* trim = new Stepper(tr("Excluded at each end"), QStringLiteral("%"), {0.0, 45.0, 1.0, 0}, content);
   trim->setObjectName("trim");
   trim->setFixedWidth(130);
   trim->setValue(100.0 * workspace().session().settings.trim);
@@ -299,7 +303,7 @@ void MarkPanel::addTrim(QVBoxLayout* column) {
   connect(trim, &Stepper::changed, this, [this](double percent) {
     EstimateSettings settings = workspace().session().settings;
     settings.trim = 0.01 * percent;
-    workspace().setSettings(settings, tr("left out at each end"), trimKey_);
+    workspace().setSettings(settings, tr("excluded at each end"), trimKey_);
   });
   row->addWidget(trim);
   column->addLayout(row);

@@ -21,9 +21,7 @@ QString stretchText(double from, double to) {
 }
 
 QString confidenceWord(double confidence) {
-  return confidence >= 0.95  ? Words::tr("very sure")
-         : confidence >= 0.8 ? Words::tr("fairly sure")
-                             : Words::tr("not sure");
+  return confidence >= 0.95 ? Words::tr("high") : confidence >= 0.8 ? Words::tr("medium") : Words::tr("low");
 }
 
 MarkSummary summarise(const std::vector<Segment>& segments, const std::vector<bool>& suggested, double duration) {
@@ -39,9 +37,9 @@ MarkSummary summarise(const std::vector<Segment>& segments, const std::vector<bo
 
 QString markAnswer(const MarkSummary& summary) {
   if (summary.suggestions > 0)
-    return Words::tr("Only free parts are used. Please check %n segment(es).", "", summary.suggestions);
+    return Words::tr("Only free segments are used. Please review %n suggestion(s).", "", summary.suggestions);
   if (summary.seconds[1] + summary.seconds[2] <= 0) return Words::tr("No contact detected.");
-  return Words::tr("Only free parts are used.");
+  return Words::tr("Only free segments are used.");
 }
 
 }  // namespace heft

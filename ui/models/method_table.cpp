@@ -21,7 +21,7 @@ QString percent(bool has, double value) {
 QString methodName(Method method) {
   switch (method) {
     case Method::map:
-      return Words::tr("Heft’s own (MAP)");
+      return Words::tr("Heft (MAP)");
     case Method::ls:
       return Words::tr("least squares");
     case Method::wls:
@@ -51,20 +51,20 @@ MethodTable methodTable(const std::vector<ComparedMethod>& methods, Method chose
     table.headers << header;
     table.headerTips << tip;
   };
-  column(Words::tr("Method"), Words::tr("How the numbers were found"));
+  column(Words::tr("Method"), Words::tr("How the values were determined"));
   column(Words::tr("Mass [kg]"), Words::tr("With half the width of its 95 % interval"));
   column(Words::tr("Centre x, y, z [mm]"), Words::tr("From the sensor’s origin, sensor axes"));
   column(Words::tr("Inertia [kg cm²]"), Words::tr("Sum of Ixx, Iyy and Izz about the centre of mass"));
-  column(Words::tr("Unseen force [N]"), Words::tr("Error on parts of the motion that the method did not see"));
-  column(Words::tr("Unseen torque [N m]"), Words::tr("Error on parts of the motion that the method did not see"));
+  column(Words::tr("Held-out force [N]"), Words::tr("Error on segments that were not used for fitting"));
+  column(Words::tr("Held-out torque [N m]"), Words::tr("Error on segments that were not used for fitting"));
   if (known) {
-    column(Words::tr("Mass off [%]"), Words::tr("Relative error against the known value"));
-    column(Words::tr("Centre off [%]"), Words::tr("Relative error against the known value"));
-    column(Words::tr("Inertia off [%]"),
-           Words::tr("Relative error about the sensor’s origin, against the known value"));
+    column(Words::tr("Mass error [%]"), Words::tr("Relative error with respect to the reference value"));
+    column(Words::tr("Centre error [%]"), Words::tr("Relative error with respect to the reference value"));
+    column(Words::tr("Inertia error [%]"),
+           Words::tr("Relative error about the sensor’s origin, with respect to the reference value"));
   }
-  column(Words::tr("Time [ms]"), Words::tr("From the prepared motion to the numbers"));
-  column(Words::tr("Can it be so?"), Words::tr("Whether a real body can have these numbers"));
+  column(Words::tr("Time [ms]"), Words::tr("From the prepared motion to the result"));
+  column(Words::tr("Physical?"), Words::tr("Whether a real body can have these values"));
   for (const ComparedMethod& method : methods) {
     MethodRow row;
     row.chosen = method.method == chosen;

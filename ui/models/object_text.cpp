@@ -37,7 +37,7 @@ ObjectText describeObject(const CarriedObject& carried) {
   }
   const QString mass = numbers.mass.value + ' ' + numbers.mass.plusMinus;
   if (carried.verdict != ObjectVerdict::found) {
-    out.headline = ObjectWords::tr("No object was found: %1, which noise alone could make.").arg(mass);
+    out.headline = ObjectWords::tr("No object was found: %1, which noise alone could cause.").arg(mass);
     return out;
   }
   out.sure = !numbers.doubtful && carried.object.trust == Trust::good;

@@ -89,7 +89,7 @@ QString answerText(Source mass, Source com, Source inertia) {
     clauses << (source == Source::data
                     ? (several ? ResultWords::tr("%1 are measured") : ResultWords::tr("%1 is measured"))
                 : source == Source::prior
-                    ? (several ? ResultWords::tr("%1 lean on your shape") : ResultWords::tr("%1 leans on your shape"))
+                    ? (several ? ResultWords::tr("%1 rely on your shape") : ResultWords::tr("%1 relies on your shape"))
                     : (several ? ResultWords::tr("%1 are not fully determined by this motion")
                                : ResultWords::tr("%1 is not fully determined by this motion")))
                    .arg(who);
@@ -116,8 +116,8 @@ std::vector<NumberText> inertiaNumbers(const EstimateReport& report, double scal
     rows.push_back(number(
         QString::fromLatin1(kNames[k]), report.payload.inertiaCom(i, j), report.interval95.inertiaCom[i][j], scale, 3,
         unit, id[i][j],
-        i == j ? ResultWords::tr("How hard the tool is to turn about its own axis %1").arg(QChar("xyz"[i]))
-               : ResultWords::tr("How turning about %1 pushes about %2").arg(QChar("xyz"[i])).arg(QChar("xyz"[j]))));
+        i == j ? ResultWords::tr("Resistance to rotation about the axis %1").arg(QChar("xyz"[i]))
+               : ResultWords::tr("Coupling of rotations about %1 and %2").arg(QChar("xyz"[i])).arg(QChar("xyz"[j]))));
     hideHopeless(rows.back(), report.interval95.inertiaCom[i][j], largest);
   }
   if (productsUnknown) {
@@ -173,9 +173,10 @@ void addPrincipalAxes(const EstimateReport& r, std::vector<DetailText>& rows) {
                  .arg(numberText(1e4 * principal.values(k), 2), numberText(shown.x(), 2), numberText(shown.y(), 2),
                       numberText(shown.z(), 2));
   }
-  rows.push_back({ResultWords::tr("Principal moments"), lines.join('\n'),
-                  ResultWords::tr("Moments about the centre of mass that have no products, and their axes in the "
-                                  "sensor’s frame")});
+  rows.push_back(
+      {ResultWords::tr("Principal moments"), lines.join('\n'),
+       ResultWords::tr(
+           "Moments about the principal axes through the centre of mass, and these axes in the sensor’s frame")});
 }
 
 /// What the motion told and what it did not: the ten directions, the best known first.
@@ -190,7 +191,7 @@ void addDirections(const EstimateReport& r, std::vector<DetailText>& rows) {
   for (const auto& direction : r.identifiability.directions)
     if (direction.dataShare < kWhole)
       lines << ResultWords::tr("%1 %, %2").arg(numberText(100 * direction.dataShare, 0), saidNow(direction.about));
-  rows.push_back({ResultWords::tr("Told by the motion"), lines.join('\n'),
+  rows.push_back({ResultWords::tr("Determined by the motion"), lines.join('\n'),
                   ResultWords::tr("Ten independent directions among the parameters, and the share of the data in each; "
                                   "the rest comes from what was assumed")});
 }
@@ -206,43 +207,43 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
   };
   add(ResultWords::tr("Method"),
       QString::fromUtf8(toString(r.method).data(), static_cast<int>(toString(r.method).size())),
-      r.termination.why.empty() ? ResultWords::tr("How the numbers were found")
+      r.termination.why.empty() ? ResultWords::tr("How the values were determined")
                                 : QString::fromStdString(r.termination.why));
   add(ResultWords::tr("Used"),
       ResultWords::tr("%1 of %2 s, %3 Hz")
           .arg(numberText(r.usedDuration, 1), numberText(r.duration, 1), numberText(r.rateHz, 0)),
-      ResultWords::tr("Free parts without the ends that were trimmed"));
-  add(ResultWords::tr("Left over, force"), ResultWords::tr("%1 N").arg(numberText(r.forceRms, 3)),
-      ResultWords::tr("Root mean square of the difference, free parts"));
+      ResultWords::tr("Free segments, without the trimmed ends"));
+  add(ResultWords::tr("Residual force"), ResultWords::tr("%1 N").arg(numberText(r.forceRms, 3)),
+      ResultWords::tr("Root mean square of the residual on free segments"));
   const ShownUnit torque = torqueUnit();
   const auto torqueText = [&](double newtonMetres, int decimals) {
     return numberText(torque.scale * newtonMetres, decimals + torque.decimals);
   };
-  add(ResultWords::tr("Left over, torque"), QStringLiteral("%1 %2").arg(torqueText(r.torqueRms, 4), torque.name),
-      ResultWords::tr("Root mean square of the difference, free parts"));
+  add(ResultWords::tr("Residual torque"), QStringLiteral("%1 %2").arg(torqueText(r.torqueRms, 4), torque.name),
+      ResultWords::tr("Root mean square of the residual on free segments"));
   if (const Vector6d rms = channelRms(r); rms.allFinite()) {
-    add(ResultWords::tr("By channel, force"),
-        ResultWords::tr("%1 N, scatter %2").arg(triple(rms.head<3>(), 3), triple(r.noiseStd.head<3>(), 3)),
-        ResultWords::tr("Root mean square x, y, z of the difference, and the sensor’s own scatter"));
+    add(ResultWords::tr("Force by channel"),
+        ResultWords::tr("%1 N, noise %2").arg(triple(rms.head<3>(), 3), triple(r.noiseStd.head<3>(), 3)),
+        ResultWords::tr("Root mean square of the residual in x, y, z, and the sensor’s noise"));
     const auto three = [&](const Vector3d& v) { return triple(torque.scale * v, 4 + torque.decimals); };
-    add(ResultWords::tr("By channel, torque"),
-        ResultWords::tr("%1 %2, scatter %3").arg(three(rms.tail<3>()), torque.name, three(r.noiseStd.tail<3>())),
-        ResultWords::tr("Root mean square x, y, z of the difference, and the sensor’s own scatter"));
+    add(ResultWords::tr("Torque by channel"),
+        ResultWords::tr("%1 %2, noise %3").arg(three(rms.tail<3>()), torque.name, three(r.noiseStd.tail<3>())),
+        ResultWords::tr("Root mean square of the residual in x, y, z, and the sensor’s noise"));
   }
   if (r.heldoutForceRms > 0) {
     add(ResultWords::tr("Held-out error"),
         QStringLiteral("%1 N, %2 %3")
             .arg(numberText(r.heldoutForceRms, 3), torqueText(r.heldoutTorqueRms, 4), torque.name),
-        ResultWords::tr("The same on parts that the estimate did not see"));
+        ResultWords::tr("The same on segments that were not used for fitting"));
   }
   add(ResultWords::tr("Sensor bias, force"), ResultWords::tr("%1 N").arg(triple(r.forceBias, 2)),
       ResultWords::tr("Constant offset x, y, z of the sensor"));
-  add(ResultWords::tr("Sensor zero, torque"),
+  add(ResultWords::tr("Sensor bias, torque"),
       QStringLiteral("%1 %2").arg(triple(torque.scale * r.torqueBias, 3 + torque.decimals), torque.name),
       ResultWords::tr("Constant offset x, y, z of the sensor"));
   if (r.identifiability.conditionNumber > 0) {
     add(ResultWords::tr("Condition number"), numberText(r.identifiability.conditionNumber, 0),
-        ResultWords::tr("Of the scaled, whitened regressor: how unevenly the motion tells the ten parameters"));
+        ResultWords::tr("Of the scaled, whitened regressor: how unevenly the motion determines the ten parameters"));
   }
   addDirections(r, rows);
   addPrincipalAxes(r, rows);
@@ -268,9 +269,8 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
       add(ResultWords::tr("Deviation from reference"), errors.join(", "),
           ResultWords::tr("Relative error |estimate − stated| / |stated|"));
   }
-  add(ResultWords::tr("A real body could be so"),
-      r.physicallyConsistent ? ResultWords::tr("yes") : ResultWords::tr("no"),
-      ResultWords::tr("Positive mass and an inertia that some distribution of mass can have"));
+  add(ResultWords::tr("Physically consistent"), r.physicallyConsistent ? ResultWords::tr("yes") : ResultWords::tr("no"),
+      ResultWords::tr("Positive mass, and an inertia that a real mass distribution can have"));
   add(ResultWords::tr("Computation time"),
       ResultWords::tr("%1 s").arg(numberText(r.timing.prepare + r.timing.solve, 2)),
       ResultWords::tr("Preparing and solving"));
@@ -293,12 +293,12 @@ std::vector<ShareText> shareTexts(const EstimateReport& report) {
       if (!std::isfinite(data) || !std::isfinite(told)) continue;
       lines << ResultWords::tr("The motion alone gives %1 %3, your shape gives %2 %3.")
                    .arg(numberText(data, 3), numberText(told, 3), unit);
-      if (std::isfinite(shift)) lines << ResultWords::tr("That moved the result by %1 σ.").arg(numberText(shift, 1));
+      if (std::isfinite(shift)) lines << ResultWords::tr("That shifted the result by %1 σ.").arg(numberText(shift, 1));
     }
     // By more than its interval: then it is not the motion's number, whatever the widths say.
     const bool pulled = farthest > kOutside && mostlyData;
     rows.push_back({name, share,
-                    pulled       ? ResultWords::tr("moved by your shape, %1 σ").arg(numberText(farthest, 1))
+                    pulled       ? ResultWords::tr("shifted by your shape, %1 σ").arg(numberText(farthest, 1))
                     : mostlyData ? ResultWords::tr("%1 % data").arg(percent)
                                  : ResultWords::tr("%1 % your shape").arg(percent),
                     lines.join('\n'), pulled});
@@ -324,7 +324,7 @@ std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPa
   std::vector<DetailText> rows;
   if (known.mass && *known.mass > 0) {
     rows.push_back({ResultWords::tr("Mass"),
-                    ResultWords::tr("%1 known, %2 % away")
+                    ResultWords::tr("%1 known, %2 % off")
                         .arg(massText(*known.mass, 3),
                              numberText(100 * std::abs(report.payload.mass - *known.mass) / *known.mass, 2)),
                     ResultWords::tr("|estimate − known| / known")});
@@ -332,8 +332,7 @@ std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPa
   if (known.com) {
     const double away = (report.payload.com - *known.com).norm();
     const ShownUnit length = lengthUnit();
-    QString value =
-        ResultWords::tr("%1 %2 away").arg(numberText(length.scale * away, 1 + length.decimals), length.name);
+    QString value = ResultWords::tr("%1 %2 off").arg(numberText(length.scale * away, 1 + length.decimals), length.name);
     if (known.com->norm() > 0) value += ResultWords::tr(" (%1 %)").arg(numberText(100 * away / known.com->norm(), 1));
     rows.push_back({ResultWords::tr("Centre of mass"), value,
                     ResultWords::tr("|estimate − known|, and by the length of the known")});
@@ -341,7 +340,7 @@ std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPa
   if (report.relativeError && report.relativeError->hasInertia) {
     rows.push_back(
         {ResultWords::tr("Inertia"),
-         ResultWords::tr("%1 % away, about the sensor %2 %")
+         ResultWords::tr("%1 % off, about the sensor %2 %")
              .arg(numberText(100 * report.relativeError->inertiaCom, 1),
                   numberText(100 * report.relativeError->inertiaOrigin, 1)),
          ResultWords::tr("‖estimate − known‖ / ‖known‖, Frobenius, about the centre of mass and about the sensor’s "
@@ -360,7 +359,7 @@ void withholdNumbers(const EstimateReport& report, ResultText& out) {
   const auto hide = [](NumberText& number) {
     number.value = QString(QChar(0x2014));
     number.plusMinus.clear();
-    number.tip = ResultWords::tr("The readings do not tell it as they are understood.");
+    number.tip = ResultWords::tr("The readings do not determine it with this interpretation.");
     number.source = Source::none;
   };
   hide(out.mass);
@@ -404,9 +403,9 @@ ResultText describeResult(const EstimateReport& report, const KnownPayload& know
   out.massScale = massScale(report, stated.mass);
   if (stated.mass && *stated.mass > 0) {
     const double away = 100.0 * std::abs(report.payload.mass - *stated.mass) / *stated.mass;
-    out.massNote = (known.byUser ? ResultWords::tr("you stated %1, %2 % away")
-                                 : ResultWords::tr("the recording has %1, %2 % away"))
-                       .arg(massText(*stated.mass, 3), numberText(away, 1));
+    out.massNote =
+        (known.byUser ? ResultWords::tr("you entered %1, %2 % off") : ResultWords::tr("the recording has %1, %2 % off"))
+            .arg(massText(*stated.mass, 3), numberText(away, 1));
   }
 
   double comAway = -1.0;
@@ -419,8 +418,8 @@ ResultText describeResult(const EstimateReport& report, const KnownPayload& know
     out.com.back().plusMinus += QChar(' ') + length.name;
   }
   if (comAway >= 0)
-    out.comNote = (known.byUser ? ResultWords::tr("%1 %2 from the centre you stated")
-                                : ResultWords::tr("%1 %2 from the centre that the recording states"))
+    out.comNote = (known.byUser ? ResultWords::tr("%1 %2 off the centre you entered")
+                                : ResultWords::tr("%1 %2 off the centre that the recording states"))
                       .arg(numberText(comAway, 1 + length.decimals), length.name);
 
   // Small tools read better in g cm² than as 0.02 kg cm².
@@ -431,13 +430,13 @@ ResultText describeResult(const EstimateReport& report, const KnownPayload& know
   const Source comSource = jointSource(out.com), inertiaSource = jointSource(out.inertia);
   // A placeholder is not compared.
   if (report.relativeError && report.relativeError->hasInertia && inertiaSource != Source::none)
-    out.inertiaNote = (known.byUser ? ResultWords::tr("%1 % from the inertia you stated")
-                                    : ResultWords::tr("%1 % from the inertia that the recording states"))
+    out.inertiaNote = (known.byUser ? ResultWords::tr("%1 % off the inertia you entered")
+                                    : ResultWords::tr("%1 % off the inertia that the recording states"))
                           .arg(numberText(100 * report.relativeError->inertiaCom, 1));
   const double half = 0.5 * (interval.mass.upper - interval.mass.lower);
   const int roughly = units().grams ? 3 : std::min(2, decimalsFor(half, 2));
   QString weight = massText(report.payload.mass, roughly);
-  out.question = id.mass == Source::none ? ResultWords::tr("This motion does not tell the mass.")
+  out.question = id.mass == Source::none ? ResultWords::tr("This motion does not determine the mass.")
                                          : ResultWords::tr("Your tool weighs %1.").arg(weight);
   out.answer = answerText(id.mass, comSource, inertiaSource);
   out.advice = adviceText(report);

@@ -14,6 +14,7 @@
 
 #include "core/diagnosis/report/report.h"
 #include "ui/controller/diagnosis.h"
+#include "ui/models/glossary.h"
 #include "ui/models/numbers.h"
 #include "ui/models/said_now.h"
 #include "ui/models/units.h"
@@ -68,9 +69,10 @@ class GainBars : public QWidget {
   GainBars(const UnseenError& unseen, QWidget* parent)
       : QWidget(parent), unseen_(unseen), before_(unseen.before), after_(unseen.after), noise_(unseen.noise) {
     setFixedHeight(46);
-    setAccessibleName(Say::tr("Unseen error %1 before, %2 after, noise floor %3")
+    setAccessibleName(Say::tr("Held-out error %1 before, %2 after, noise floor %3")
                           .arg(unseen.text(before_), unseen.text(after_), unseen.text(noise_)));
-    setToolTip(Say::tr("Root mean square of what the model misses, on segments that it was not fitted to."));
+    setToolTip(Say::tr("Root mean square of the residual on segments that were not used for fitting.") +
+               QStringLiteral("\n") + glossaryTip("held_out"));
   }
 
  protected:
@@ -110,6 +112,18 @@ class GainBars : public QWidget {
   UnseenError unseen_;
   double before_, after_, noise_;
 };
+
+/// The glossary's term for a cause; empty where its sentence says it all.
+QString termOf(const std::string& cause) {
+  const std::pair<const char*, const char*> terms[] = {
+      {"bias_drift", "drift"},          {"sensor_bias", "bias"},       {"time_offset", "delay"},
+      {"low_pass_lag", "filter"},       {"gain_error", "gain"},        {"crosstalk", "crosstalk"},
+      {"coulomb_friction", "friction"}, {"hysteresis", "hysteresis"},  {"contact", "contact"},
+      {"saturation", "saturation"},     {"frame_error", "conventions"}};
+  for (const auto& [id, term] : terms)
+    if (cause == id) return term;
+  return {};
+}
 
 QPushButton* makeButton(const QString& text, const char* name, QWidget* parent) {
   auto* button = new QPushButton(text, parent);
@@ -168,7 +182,7 @@ void addDetails(QVBoxLayout* column, const DiagnosisReport& report, const Diagno
     if (cause.gain.blocks > 0) {
       add(Say::tr("Better on"),
           Say::tr("%1 of %2 held-out segments").arg(cause.gain.blocksBetter).arg(cause.gain.blocks));
-      add(Say::tr("Explained"),
+      add(Say::tr("Variance explained"),
           Say::tr("%1 % (95 %: %2 to %3 %)")
               .arg(numberText(100 * cause.gain.explainedFraction, 0), numberText(100 * cause.gain.lower, 0),
                    numberText(100 * cause.gain.upper, 0)),
@@ -177,7 +191,7 @@ void addDetails(QVBoxLayout* column, const DiagnosisReport& report, const Diagno
           QStringLiteral("%1 → %2").arg(torqueText(cause.gain.torqueBefore, 4), torqueText(cause.gain.torqueAfter, 4)));
     }
   }
-  add(Say::tr("Name in files"), QString::fromStdString(cause.id));
+  add(Say::tr("ID in files"), QString::fromStdString(cause.id));
   column->addLayout(grid);
 }
 
@@ -191,7 +205,7 @@ void addButtons(QVBoxLayout* column, const DiagnosedCause& cause, const CardStat
     row->addStretch(1);
     auto* undo = makeButton(Say::tr("Undo"), "plainButton", parent);
     undo->setProperty("cause", QString::fromStdString(cause.id));
-    undo->setToolTip(Say::tr("The payload is estimated without this correction again"));
+    undo->setToolTip(Say::tr("Estimates the payload again, without this correction"));
     QObject::connect(undo, &QPushButton::clicked, parent, [actions, id = cause.id] { actions.undo(id); });
     row->addWidget(undo);
   } else if (state.applicable) {
@@ -266,7 +280,7 @@ StrengthText strengthOf(const DiagnosedCause& cause, const DiagnosisReport& repo
     const int alarms = std::max(0, static_cast<int>(std::lround(cause.pValue * (report.surrogates + 1))) - 1);
     out.meaning = Say::tr("%n false alarm(s) in %1 simulated clean runs.", "", alarms).arg(report.surrogates);
   } else {
-    out.meaning = Say::tr("Far above what noise alone would give.");
+    out.meaning = Say::tr("Far above what noise alone would produce.");
   }
   return out;
 }
@@ -407,13 +421,14 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
                                 words, strength.meaning, card.frame));
   QLabel* sentence = wrappedLabel(sentenceOf(cause, report), "cardTitle", card.frame);
   sentence->setProperty("role", "sentence");
+  sentence->setToolTip(glossaryTip(termOf(cause.id)));
   card.layout->addWidget(sentence);
   if (!state.applied && cause.before.cols() > 0) {
     auto* chart = new ChartWidget(card.frame);
     chart->setChart(errorChart(report, cause), true);
     chart->setFixedHeight(122);
     chart->setProperty("role", "unseen");
-    chart->setAccessibleName(Say::tr("Error on an held-out segment, before and after"));
+    chart->setAccessibleName(Say::tr("Error on a held-out segment, before and after"));
     chart->setToolTip(Say::tr("The model was fitted without this segment. Grey: twice the sensor’s noise."));
     card.layout->addWidget(chart);
   }
@@ -421,13 +436,13 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
     const UnseenError unseen = unseenError(report, cause);
     card.layout->addWidget(new GainBars(unseen, card.frame));
     card.layout->addWidget(
-        wrappedLabel(Say::tr("Unseen error %1 → %2; dashed: noise floor %3.")
+        wrappedLabel(Say::tr("Held-out error %1 → %2; dashed: noise floor %3.")
                          .arg(unseen.text(unseen.before), unseen.text(unseen.after), unseen.text(unseen.noise)),
                      "caption", card.frame));
   }
   if (much)
     card.layout->addWidget(wrappedLabel(
-        Say::tr("What is left is %1 times the noise: something else is at work, too, or instead.")
+        Say::tr("The residual is %1 times the noise: something else contributes, or is the real cause.")
             .arg(numberText(unseenError(report, cause).after / std::max(1e-12, unseenError(report, cause).noise), 0)),
         "body", card.frame));
   if (const QString worse = worseText(cause); !worse.isEmpty() && !state.applied)
@@ -436,11 +451,10 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     row->addWidget(new LightIcon(Light::look, 18, card.frame), 0, Qt::AlignTop);
-    row->addWidget(
-        wrappedLabel(Say::tr("It fits the recording, but did not help on segments that were kept aside. Apply it only "
-                             "if what you find on the rig confirms it."),
-                     "body", card.frame),
-        1);
+    row->addWidget(wrappedLabel(Say::tr("It fits this recording but does not improve held-out segments. Apply it only "
+                                        "if a check on the robot confirms it."),
+                                "body", card.frame),
+                   1);
     card.layout->addLayout(row);
   }
   if (!state.applied) {
@@ -494,23 +508,23 @@ QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause,
   buttons->setSpacing(8);
   if (actions.showMotion && !causeMotion(cause.id).empty()) {
     auto* show = makeButton(Say::tr("Show the motion"), "showMotion", card.frame);
-    show->setToolTip(Say::tr("The arm’s ghost makes the motion in the picture"));
+    show->setToolTip(Say::tr("The arm’s ghost shows the motion in the 3D view"));
     QObject::connect(show, &QPushButton::clicked, card.frame, [actions, id = cause.id] { actions.showMotion(id); });
     buttons->addWidget(show);
   }
   auto* record = makeButton(Say::tr("Record this motion"), "recordIt", card.frame);
-  record->setToolTip(Say::tr("Leads to Record; what to do stays in view there"));
+  record->setToolTip(Say::tr("Goes to Record; the instruction stays visible there"));
   QObject::connect(record, &QPushButton::clicked, card.frame, [actions, id = cause.id] { actions.record(id); });
   buttons->addWidget(record);
   buttons->addStretch(1);
   card.layout->addLayout(buttons);
   card.layout->addWidget(
-      wrappedLabel(Say::tr("“Apply” takes out the first, “%1”, which fits a little better.").arg(titleOf(cause)),
+      wrappedLabel(Say::tr("“Apply” corrects the first one, “%1”, which fits slightly better.").arg(titleOf(cause)),
                    "caption", card.frame));
   if (cause.gain.forceBefore > 0.0) {
     const UnseenError unseen = unseenError(report, cause);
     card.layout->addWidget(
-        wrappedLabel(Say::tr("Whichever it is: unseen error %1 → %2; noise floor %3.")
+        wrappedLabel(Say::tr("Either way: held-out error %1 → %2; noise floor %3.")
                          .arg(unseen.text(unseen.before), unseen.text(unseen.after), unseen.text(unseen.noise)),
                      "caption", card.frame));
   }
@@ -542,7 +556,7 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
   // What is faster than the curve reaches shows in it at a place where it is not.
   if (lines > 0 && report.remaining.lowHz < spectrum.frequency(lines - 1)) {
     Chart chart;
-    chart.yTitle = Say::tr("What is left, by frequency [N/√Hz]");
+    chart.yTitle = Say::tr("Residual spectrum [N/√Hz]");
     chart.xTitle = Say::tr("Frequency [Hz]");
     chart.logX = chart.logY = true;
     chart.band = spectrum.floor;
@@ -553,7 +567,7 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
     auto* widget = new ChartWidget(card.frame);
     widget->setChart(chart, false);
     widget->setFixedHeight(140);
-    widget->setToolTip(Say::tr("Grey: the level of the sensor’s fast noise. What rises far above it has no name yet."));
+    widget->setToolTip(Say::tr("Grey: the level of the sensor’s fast noise. What rises far above it is unexplained."));
     widget->setAccessibleName(chart.yTitle);
     card.layout->addWidget(widget);
   }
@@ -564,11 +578,11 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
                .arg(numberText(report.remaining.lowHz, 1), numberText(report.remaining.highHz, 1));
   else if (report.remaining.highHz > 0.0)
     band = Say::tr(" Most of it lies at %1 Hz.").arg(numberText(report.remaining.lowHz, 1));
-  const QString part =
-      share > 0.0 ? Say::tr("It makes up %1 % of what is left.").arg(numberText(share, share < 10 ? 1 : 0)) : QString();
+  const QString part = share > 0.0
+                           ? Say::tr("It accounts for %1 % of the residual.").arg(numberText(share, share < 10 ? 1 : 0))
+                           : QString();
   card.layout->addWidget(wrappedLabel(
-      (part + band + Say::tr(" No known cause accounts for it, so Heft gives it no name and corrects nothing."))
-          .trimmed(),
+      (part + band + Say::tr(" No known cause explains it, so Heft neither names nor corrects it.")).trimmed(),
       "caption", card.frame));
   QString helps = Say::tr("record the same motion once more, without touching anything, and compare.");
   if (const Finding* seen = seenInReadings(report)) {

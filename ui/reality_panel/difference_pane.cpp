@@ -25,11 +25,14 @@
 #include "ui/timeline/playback_bar.h"
 #include "ui/timeline/time_axis.h"
 #include "ui/widgets/basics.h"
+#include "ui/widgets/choice_box.h"
 #include "ui/widgets/pane_header.h"
 
 namespace heft {
 
 namespace {
+
+constexpr int kWidestChoice = 320;  ///< [px] On a wide screen a list is no wider than its words.
 
 /// Of the chosen channel itself: what a delay or a filter shows best against.
 const QString kOwnRate = QStringLiteral("own_rate");
@@ -107,8 +110,8 @@ void DifferencePane::buildHeader() {
   choices->setSpacing(0);
   auto* group = new QButtonGroup(this);
   const QString names[] = {tr("Time"), tr("Spectrum"), tr("Correlation")};
-  const QString tips[] = {tr("Measured and simulated over time"), tr("What is left over, by frequency"),
-                          tr("What is left over, against what the robot did")};
+  const QString tips[] = {tr("Measured and simulated over time"), tr("Residual by frequency"),
+                          tr("Residual against the robot’s motion")};
   const char* ids[] = {"lookTime", "lookFrequency", "lookMotion"};
   for (int i = 0; i < 3; ++i) {
     views_[i] = new QPushButton(names[i], segmented);
@@ -123,20 +126,22 @@ void DifferencePane::buildHeader() {
   }
   row->addWidget(segmented, 0, Qt::AlignVCenter);
   const auto addBox = [&](const char* name, const QString& title, int least, int most) {
-    auto* box = new QComboBox(header);
+    auto* box = new ChoiceBox(header);
     box->setObjectName(name);
     box->setAccessibleName(title);
     box->setToolTip(title);
     // What does not fit is in the list; the panel beside it keeps its width.
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     box->setMinimumWidth(least);
+    box->setMaximumWidth(kWidestChoice);
     row->addWidget(box, most);
     return box;
   };
   cause_ = addBox("lookCause", tr("Which causes"), 60, 3);
-  channel_ = addBox("lookChannel", tr("Channel"), 60, 2);
+  channel_ = addBox("lookChannel", tr("Channel"), 96, 2);
   for (int c = 0; c < 6; ++c) channel_->addItem(channelText(c));
   witness_ = addBox("lookWitness", tr("Against"), 60, 3);
+  row->addStretch(0);
   const auto addIcon = [&](const char* icon, const QString& tip, const char* name) {
     auto* button = new IconButton(icon, tip, header);
     button->setObjectName(name);
@@ -145,7 +150,7 @@ void DifferencePane::buildHeader() {
   };
   whole_ = addIcon("whole", tr("Show the whole recording"), "differenceAll");
   connect(whole_, &QToolButton::clicked, this, [this] { axis_->showAll(); });
-  alone_ = addIcon("fit", tr("Plots alone, or with the rest again"), "aloneButton");  // The window listens to it.
+  alone_ = addIcon("fit", tr("Maximise the plots, or restore them (F11)"), "aloneButton");  // The window listens to it.
   IconButton* more = addIcon("more", tr("Picture of this"), "differencePictures");
   more->setPopupMode(QToolButton::InstantPopup);
   auto* pictures = new QMenu(more);
@@ -297,13 +302,13 @@ Chart DifferencePane::frequencyChart(bool torque) const {
   const auto spectrum = diagnosis::spectrumOf(report_->series, torque);
   Chart chart;
   const ShownUnit unit = wrenchUnit(torque);
-  chart.yTitle = (torque ? tr("Torque left over [%1/√Hz]") : tr("Force left over [%1/√Hz]")).arg(unit.name);
+  chart.yTitle = (torque ? tr("Residual torque [%1/√Hz]") : tr("Residual force [%1/√Hz]")).arg(unit.name);
   chart.xTitle = tr("Frequency [Hz]");
   chart.logX = chart.logY = true;
   addNoise(chart, *report_, spectrum, torque);
   chart.band *= unit.scale;
   for (QPointF& point : chart.floor) point.ry() *= unit.scale;
-  chart.nothing = tr("No segment is long enough to tell frequencies.");
+  chart.nothing = tr("No segment is long enough for a spectrum.");
   for (const bool after : {false, true}) {
     if (after && secret_) continue;
     QVector<QPointF> points;
@@ -402,7 +407,7 @@ void DifferencePane::refresh() {
   if (!secret_) legend += line.arg(t.accent.name(), QStringLiteral("━━ ") + tr("with the cause corrected"));
   const QString words[] = {
       legend + tr("· grey: the sensor’s noise, ±2 σ"),
-      isNoiseOnly(report_.get()) ? tr("Grey: what the verdict takes for the sensor’s noise, slow noise included.")
+      isNoiseOnly(report_.get()) ? tr("Grey: sensor noise as used by the verdict, including slow noise.")
                                  : tr("Grey: the level of the sensor’s fast noise. Low-frequency noise can be several "
                                       "times higher; peaks far above the band are not noise."),
       tr("A sloped or curved cloud means that the difference depends on this quantity. Both pictures have one scale; "

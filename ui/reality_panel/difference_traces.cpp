@@ -44,7 +44,7 @@ double DifferenceCurves::value(int curve, int at) const {
 DifferenceTraces::DifferenceTraces(TimeAxis* axis, QWidget* parent)
     : QWidget(parent), axis_(axis), mouse_(new TimeMouse(axis, this)) {
   setObjectName("differenceTraces");
-  setAccessibleName(tr("Measured and simulated, without and with the causes, and what is left over"));
+  setAccessibleName(tr("Measured and simulated, without and with the causes, and the residual"));
   setMinimumHeight(110);
   connect(mouse_, &TimeMouse::timePicked, this, &DifferenceTraces::timePicked);
   connect(axis_, &TimeAxis::visibleChanged, this, [this] { update(); });
@@ -101,7 +101,10 @@ void DifferenceTraces::drawLane(QPainter& p, const Lane& lane, const QString& ti
   const Theme& t = theme();
   p.setFont(uiFont(type::kTick));
   const QFontMetricsF metrics(p.font());
-  const auto ticks = ticksBetween(lane.low, lane.high, lane.area.height() > 90 ? 5 : 3);
+  // One number alone says nothing of the scale.
+  int wanted = lane.area.height() > 90 ? 5 : 3;
+  std::vector<double> ticks = ticksBetween(lane.low, lane.high, wanted);
+  while (ticks.size() < 2 && wanted < 8) ticks = ticksBetween(lane.low, lane.high, ++wanted);
   const int decimals = decimalsOf(ticks);
   for (const double tick : ticks) {
     const double y = lane.y(tick);
@@ -221,8 +224,8 @@ void DifferenceTraces::drawPointer(QPainter& p, const std::array<Lane, 2>& lanes
   p.setPen(QPen(t.text3, 1, Qt::DotLine));
   p.drawLine(QPointF(pointer + 0.5, lanes[0].area.top()), QPointF(pointer + 0.5, lanes[1].area.bottom()));
   const int decimals = curves_.decimals;
-  const QString names[] = {tr("measured"), tr("without"), tr("with the causes"), tr("left over without"),
-                           tr("left over with")};
+  const QString names[] = {tr("measured"), tr("without"), tr("with the causes"), tr("residual without"),
+                           tr("residual with")};
   QStringList left{axis_->poses() ? tr("pose") : tr("time")},
       right{axis_->poses() ? numberText(curves_.time[at], 0) : tr("%1 s").arg(numberText(curves_.time[at], 2))};
   for (int c = 0; c < 5; ++c) {
@@ -278,7 +281,7 @@ void DifferenceTraces::paintEvent(QPaintEvent*) {
   // Where it has no room beside the name, the unit stands below it in one piece.
   const QString unit = QStringLiteral(" [%1]").arg(QString(curves_.unit).replace(QLatin1Char(' '), QChar(0xA0)));
   drawLane(p, upper, curves_.channel + unit);
-  drawLane(p, lower, tr("left over") + unit);
+  drawLane(p, lower, tr("residual") + unit);
   QPen dashed(t.text2, 1.5);
   dashed.setDashPattern({3.0, 2.0});
   // The corrected simulation lies under what was measured, where the two agree.

@@ -209,7 +209,7 @@ std::optional<Result<bool>> LessonGuide::obey(const QStringList& words) {
            "step."));
   if (words[1] == "off") return end(), Result<bool>(true);
   if (words[1] == "next" || words[1] == "back") {
-    if (!on()) return refuse(tr("No lesson is under way."));
+    if (!on()) return refuse(tr("No lesson is running."));
     words[1] == "next" ? next() : back();
     return Result<bool>(true);
   }

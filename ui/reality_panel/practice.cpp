@@ -52,7 +52,7 @@ void addHint(QVBoxLayout* column, QWidget* parent, const std::string& truth, con
   if (!found.tried.empty()) {
     const Card wrong = makeCard("cardLook", parent);
     wrong.frame->setProperty("role", "wrongGuess");
-    wrong.layout->addWidget(wrappedLabel(PracticeWords::tr("Not “%1”. It would look like this: %2 One more try.")
+    wrong.layout->addWidget(wrappedLabel(PracticeWords::tr("Not “%1”. It would look like this: %2 Try once more.")
                                              .arg(titleOf(found.tried), looksOf(found.tried)),
                                          "body", wrong.frame));
     auto* giveUp = new QPushButton(PracticeWords::tr("Show the answer"), wrong.frame);
@@ -115,10 +115,10 @@ void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth,
   const bool right = truth == guess;
   const Card card = makeCard(right ? "card" : "cardLook", parent);
   card.frame->setProperty("role", "feedback");
-  card.layout->addWidget(makeVerdictTag(right ? PracticeWords::tr("Right") : PracticeWords::tr("Not this one"),
+  card.layout->addWidget(makeVerdictTag(right ? PracticeWords::tr("Right") : PracticeWords::tr("Not quite"),
                                         right ? Light::measured : Light::look, false, card.frame));
   card.layout->addWidget(
-      wrappedLabel(PracticeWords::tr("Hidden was: %1.").arg(titleOf(truth)), "cardTitle", card.frame));
+      wrappedLabel(PracticeWords::tr("The hidden fault was: %1.").arg(titleOf(truth)), "cardTitle", card.frame));
   card.layout->addWidget(wrappedLabel(looksOf(truth), "body", card.frame));
   if (!right) {
     card.layout->addWidget(wrappedLabel(
@@ -127,11 +127,12 @@ void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth,
     card.layout->addWidget(wrappedLabel(
         PracticeWords::tr("How to tell them apart on a real robot: %1").arg(decidesOf(truth)), "caption", card.frame));
   }
-  auto* points = wrappedLabel(PracticeWords::tr("Found at once: %1 of %2. With a hint or at the second try: %3.")
-                                  .arg(score.first)
-                                  .arg(score.asked)
-                                  .arg(score.second),
-                              "caption", card.frame);
+  auto* points =
+      wrappedLabel(PracticeWords::tr("Solved at the first try: %1 of %2. With a hint or at the second try: %3.")
+                       .arg(score.first)
+                       .arg(score.asked)
+                       .arg(score.second),
+                   "caption", card.frame);
   points->setProperty("role", "score");
   card.layout->addWidget(points);
   auto* next = new QPushButton(PracticeWords::tr("Next exercise"), card.frame);

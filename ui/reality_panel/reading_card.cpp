@@ -65,7 +65,7 @@ Chart chartOf(const ReadingCurves& curves, Eigen::Index channel, bool poses) {
     chart.curves.push_back({name, colour, points, dashed});
   };
   add(ReadingWords::tr("as stated"), curves.stated, ChartCurve::Colour::before, true);
-  add(ReadingWords::tr("read so"), curves.read, ChartCurve::Colour::after, false);
+  add(ReadingWords::tr("as suggested"), curves.read, ChartCurve::Colour::after, false);
   return chart;
 }
 
@@ -78,7 +78,7 @@ void addCurves(QVBoxLayout* column, const ReadingCurves& curves, bool poses, QWi
     chart->setChart(chartOf(curves, channel, poses), true);
     chart->setFixedHeight(130);
     chart->setProperty("role", "reading");
-    chart->setAccessibleName(ReadingWords::tr("What a rigid tool leaves unexplained, as stated and read so"));
+    chart->setAccessibleName(ReadingWords::tr("Residual of a rigid tool, as stated and as suggested"));
     column->addWidget(chart);
   } else if (curves.stated.mass < 0.0) {
     column->addWidget(wrappedLabel(
@@ -122,8 +122,8 @@ QWidget* makeReadingCard(const DiagnosisReport& report, const DiagnosedCause& ca
   const Card card = makeCard(state.next ? "cardChosen" : "card", parent);
   card.frame->setProperty("cause", QString::fromStdString(cause.id));
   card.frame->setProperty("role", "reading");
-  card.layout->addWidget(makeVerdictTag(mistake.tied ? ReadingWords::tr("Several readings possible")
-                                                     : ReadingWords::tr("Not what the setup file says"),
+  card.layout->addWidget(makeVerdictTag(mistake.tied ? ReadingWords::tr("Several interpretations possible")
+                                                     : ReadingWords::tr("Differs from the setup file"),
                                         mistake.tied ? Light::twoCauses : Light::look, false, card.frame),
                          0, Qt::AlignLeft);
   QLabel* sentence = wrappedLabel(
@@ -135,35 +135,34 @@ QWidget* makeReadingCard(const DiagnosisReport& report, const DiagnosedCause& ca
   if (!state.applied) {
     for (const auto& tie : mistake.ties)
       card.layout->addWidget(
-          said(ReadingWords::tr("Fits as well:"), tiedWords(saidNow(tie.sentence), tie.payload), card.frame));
+          said(ReadingWords::tr("Fits equally well:"), tiedWords(saidNow(tie.sentence), tie.payload), card.frame));
     if (mistake.tied && !mistake.decides.empty())
       card.layout->addWidget(said(ReadingWords::tr("To decide:"), saidNow(mistake.decides), card.frame));
     card.layout->addWidget(
-        said(ReadingWords::tr("At the driver:"), QString::fromStdString(mistake.check()), card.frame));
+        said(ReadingWords::tr("Check in the driver:"), QString::fromStdString(mistake.check()), card.frame));
   }
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   if (state.applied) {
     row->addWidget(new LightIcon(Light::measured, 18, card.frame));
-    row->addWidget(styledLabel(ReadingWords::tr("Read so"), "captionBold", card.frame));
+    row->addWidget(styledLabel(ReadingWords::tr("Applied"), "captionBold", card.frame));
     row->addStretch(1);
-    auto* back = new QPushButton(ReadingWords::tr("Read as stated again"), card.frame);
+    auto* back = new QPushButton(ReadingWords::tr("Back to the stated conventions"), card.frame);
     back->setObjectName("plainButton");
     back->setProperty("cause", QString::fromStdString(cause.id));
     QObject::connect(back, &QPushButton::clicked, card.frame, [actions, id = cause.id] { actions.undo(id); });
     row->addWidget(back);
   } else if (mistake.tied) {
-    auto* stateIt = new QPushButton(ReadingWords::tr("State it under Robot and sensor …"), card.frame);
+    auto* stateIt = new QPushButton(ReadingWords::tr("Set it in Robot and sensor …"), card.frame);
     stateIt->setObjectName(state.next ? "mainButton" : "acceptButton");
     stateIt->setProperty("cause", QString::fromStdString(cause.id));
     QObject::connect(stateIt, &QPushButton::clicked, card.frame, [actions] { actions.state(); });
     row->addWidget(stateIt, 1);
   } else {
-    auto* read = new QPushButton(ReadingWords::tr("Read it so"), card.frame);
+    auto* read = new QPushButton(ReadingWords::tr("Use these conventions"), card.frame);
     read->setObjectName(state.next ? "mainButton" : "acceptButton");
     read->setProperty("cause", QString::fromStdString(cause.id));
-    read->setToolTip(
-        ReadingWords::tr("The session reads this recording so; the file stays as it is. Ctrl+Z takes it back."));
+    read->setToolTip(ReadingWords::tr("Applies to this session only; the file is not changed. Ctrl+Z undoes it."));
     if (state.next) read->setIcon(QIcon(iconPixmap("check", 20, Qt::white, theme().accentFill, 2.0)));
     QObject::connect(read, &QPushButton::clicked, card.frame, [actions, id = cause.id] { actions.apply(id); });
     row->addWidget(read, 1);

@@ -1,6 +1,5 @@
 #include "ui/reality_panel/reality_page.h"
 
-#include <QComboBox>
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -14,8 +13,10 @@
 #include "core/base/said_again.h"
 #include "core/diagnosis/correction/check_on_other.h"
 #include "ui/models/numbers.h"
+#include "ui/models/setup_words.h"
 #include "ui/reality_panel/cause_card.h"
 #include "ui/reality_panel/cause_words.h"
+#include "ui/widgets/choice_box.h"
 
 namespace heft {
 namespace {
@@ -32,7 +33,7 @@ VerdictText verdictText(const DiagnosisReport& report, int applied) {
   const QString where = Words::tr("Differences between simulation and measurement:");
   if (report.verdict == Verdict::clean) return {Words::tr("The model fits"), Words::tr("No correction needed.")};
   if (report.verdict == Verdict::unexplained)
-    return {total == 0 ? Words::tr("Something unknown") : Words::tr("%n cause(s) found, something is left", "", total),
+    return {total == 0 ? Words::tr("Something unknown") : Words::tr("%n cause(s) found, part unexplained", "", total),
             where};
   if (applied > 0 && applied == total)
     return {Words::tr("%n correction(s) applied", "", applied),
@@ -67,44 +68,23 @@ void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& repo
                    : several ? Words::tr("With all causes applied your result stays the same.")
                              : Words::tr("If you apply it, your result stays the same."))
                       .toHtmlEscaped());
-    caption(Words::tr("Mass, centre and inertia change by less than their last digit here."));
+    caption(Words::tr("Mass, centre and inertia stay the same to the digits shown."));
   } else {
     const QString begin = applied   ? Words::tr("Your result changed:")
                           : several ? Words::tr("With all causes applied your result changes:")
                                     : Words::tr("If you apply it, your result changes:");
     text->setText(QStringLiteral("%1 <b>%2</b>").arg(begin.toHtmlEscaped(), change.text.toHtmlEscaped()));
-    caption(change.sigmas >= 0.95 ? Words::tr("That is %1 times the uncertainty it was stated with.")
+    caption(change.sigmas >= 0.95 ? Words::tr("That is %1 times the stated uncertainty.")
                                         .arg(numberText(change.sigmas, change.sigmas < 10 ? 1 : 0))
-                                  : Words::tr("That is less than the uncertainty it was stated with."));
+                                  : Words::tr("That is within the stated uncertainty."));
   }
   if (!change.wider.isEmpty())
-    caption(Words::tr("It becomes less certain: %1. Motion and cause are hard to tell apart here.").arg(change.wider));
+    caption(Words::tr("It becomes less certain: %1. Payload and cause are hard to distinguish with this motion.")
+                .arg(change.wider));
   column->addWidget(card.frame);
 }
 
 namespace {
-
-/// A key of the setup file in the words of the dialog Robot and sensor; the key itself where that has no words for it.
-QString metaKeyWords(const QString& key) {
-  const std::pair<const char*, QString> words[] = {
-      {"wrench_axes", Words::tr("Force and torque along the axes of")},
-      {"wrench_point", Words::tr("Torque about the point x, y, z")},
-      {"wrench_sign", Words::tr("Sign of force and torque")},
-      {"torque_sign", Words::tr("Torque's sign")},
-      {"wrench_order", Words::tr("Order of force and torque")},
-      {"mirrored_axis", Words::tr("Mirrored axis")},
-      {"force_unit", Words::tr("Unit of force")},
-      {"torque_unit", Words::tr("Unit of torque")},
-      {"pose", Words::tr("Poses are of")},
-      {"quaternion_order", Words::tr("Order of the quaternion")},
-      {"rpy_rad", Words::tr("Rotation of the sensor about x, y, z")},
-      {"xyz_m", Words::tr("Place of the sensor in x, y, z")},
-      {"gravity_m_s2", Words::tr("Gravity in x, y, z")},
-  };
-  for (const auto& [name, text] : words)
-    if (key == QLatin1String(name)) return text;
-  return key;
-}
 
 /// "rotation 4.8°, 0.2°, −0.1°" instead of seventeen digits of radians; entries of other kinds as name and value.
 QStringList metaWords(const nlohmann::json& changes) {
@@ -123,15 +103,15 @@ QStringList metaWords(const nlohmann::json& changes) {
                           : numberText(length ? 1e3 * v : v, length ? 1 : 3));
       }
       out << QStringLiteral("%1: %2%3")
-                 .arg(metaKeyWords(name), numbers.join(QStringLiteral(", ")),
+                 .arg(setupWords(name).title, numbers.join(QStringLiteral(", ")),
                       length                       ? QStringLiteral(" mm")
                       : name.startsWith("gravity") ? QStringLiteral(" m/s²")
                                                    : QString());
     } else {
-      const QString text = value.is_string()   ? QString::fromStdString(value.get<std::string>())
+      const QString text = value.is_string()   ? setupAnswer(name, QString::fromStdString(value.get<std::string>()))
                            : value.is_number() ? numberText(value.get<double>(), 4)
-                                               : QString::fromStdString(value.dump());
-      out << QStringLiteral("%1: %2").arg(metaKeyWords(name), text);
+                                               : setupAnswer(name, QString::fromStdString(value.dump()));
+      out << QStringLiteral("%1: %2").arg(setupWords(name).title, text);
     }
   }
   return out;
@@ -165,8 +145,7 @@ void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport
   }
   auto* button = new QPushButton(Words::tr("Save as a setup file …"), card.frame);
   button->setObjectName("saveMeta");
-  button->setToolTip(
-      Words::tr("Writes a copy of the setup file with these entries; later recordings then start out right."));
+  button->setToolTip(Words::tr("Writes a copy of the setup file with these entries, for later recordings."));
   QObject::connect(button, &QPushButton::clicked, parent, [save] { save(); });
   card.layout->addWidget(button);
   column->addWidget(card.frame);
@@ -198,7 +177,7 @@ void addCheck(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& repor
     column->addWidget(button, 0, Qt::AlignLeft);
   } else if (!names.isEmpty()) {
     auto* row = new QHBoxLayout;
-    auto* which = new QComboBox(parent);
+    auto* which = new ChoiceBox(parent);
     which->setObjectName("checkWhich");
     which->setAccessibleName(Words::tr("Recording to check on"));
     which->addItems(names);
@@ -211,7 +190,7 @@ void addCheck(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& repor
     column->addLayout(row);
   }
   if (names.isEmpty()) {
-    auto* button = new QPushButton(Words::tr("Open another recording of the same rig …"), parent);
+    auto* button = new QPushButton(Words::tr("Open another recording of the same setup …"), parent);
     button->setObjectName("linkButton");
     QObject::connect(button, &QPushButton::clicked, parent, [open] { open(); });
     column->addWidget(button, 0, Qt::AlignLeft);
@@ -242,7 +221,7 @@ void addConsidered(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& 
   QStringList names;
   for (const auto& s : report.smallest) names << titleOf(s.cause);
   if (names.isEmpty()) return;
-  auto* head = new QPushButton(Words::tr("Also considered: %n cause(s)", "", names.size()), parent);
+  auto* head = new QPushButton(Words::tr("Also tested: %n cause(s)", "", names.size()), parent);
   head->setObjectName("consideredButton");
   head->setProperty("role", "plain");
   head->setCheckable(true);
@@ -261,10 +240,10 @@ void addConsidered(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& 
 void addNotSeen(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, bool details) {
   const QStringList all = couldNotBeSeen(report, details ? 12 : 3);
   if (all.isEmpty()) return;
-  QLabel* label =
-      wrappedLabel(Words::tr("Could not have been seen: %1.").arg(all.join(QStringLiteral(", "))), "caption", parent);
+  QLabel* label = wrappedLabel(Words::tr("Not detectable in this recording: %1.").arg(all.join(QStringLiteral(", "))),
+                               "caption", parent);
   label->setProperty("role", "notSeen");
-  label->setToolTip(Words::tr("The smallest size of each cause that this motion and this sensor would have shown."));
+  label->setToolTip(Words::tr("The smallest size of each cause that this motion and sensor would have revealed."));
   column->addWidget(label);
 }
 

@@ -168,7 +168,7 @@ StepState RealityPanel::state() const {
   if (report.verdict == Verdict::explained && leftOut == report.causes.size())
     return {P::done, Light::measured, tr("free parts fit the model")};
   return report.verdict == Verdict::clean ? StepState{P::done, Light::measured, tr("the model fits")}
-                                          : StepState{P::done, Light::look, tr("check the rig")};
+                                          : StepState{P::done, Light::look, tr("check the setup")};
 }
 
 QWidget* RealityPanel::ownPane() { return panes_; }
@@ -345,15 +345,15 @@ void RealityPanel::apply(const std::string& cause) {
   const auto& causes = found()->report->causes;
   const auto it = std::ranges::find(causes, cause, &DiagnosedCause::id);
   const bool reading = it != causes.end() && isReading(*found()->report, *it);
-  workspace().setCorrections(
-      next, reading ? tr("read the recording otherwise than stated") : tr("apply “%1”").arg(titleOf(cause)));
+  workspace().setCorrections(next,
+                             reading ? tr("use other conventions than stated") : tr("apply “%1”").arg(titleOf(cause)));
 }
 
 void RealityPanel::takeBack(const std::string& cause) {
   Corrections next = workspace().corrections();
   std::erase(next.causes, cause);
   if (next.causes.empty()) next.found.clear();
-  workspace().setCorrections(next, tr("take back “%1”").arg(titleOf(cause)));
+  workspace().setCorrections(next, tr("remove the correction “%1”").arg(titleOf(cause)));
 }
 
 std::vector<int> RealityPanel::others() const {

@@ -16,7 +16,7 @@ namespace heft {
 
 Result<bool> RealityPanel::writeMeta(const QString& file, bool replace) {
   const auto opened = workspace().opened();
-  if (!opened || !found()) return refusal(tr("There is no reality check yet that could correct a setup file."));
+  if (!opened || !found()) return refusal(tr("There is no reality check yet to correct a setup file from."));
   const nlohmann::json changes = found()->report->metaChanges();
   if (changes.empty()) return refusal(tr("The reality check proposes no change of the setup file."));
   if (!replace && QFileInfo::exists(file)) return refusal(tr("%1 already exists and was not overwritten.").arg(file));
@@ -44,10 +44,7 @@ Result<bool> RealityPanel::writeReport(const QString& file, bool replace) {
   content.workspace = &workspace();
   // A riddle that is still to be guessed is not given away on paper.
   if (!riddle()) content.diagnosis = report();
-  if (parts().view) {
-    parts().view->renderNow();
-    content.view = parts().view->grab().toImage();
-  }
+  if (parts().view) content.view = parts().view->picture();
   return writeSessionReport(content, file, replace);
 }
 
@@ -56,7 +53,7 @@ void RealityPanel::saveReport() {
   if (!opened) return parts().say(Severity::info, tr("Open a recording first."));
   const QFileInfo info(opened->path);
   QString chosen;
-  QString file = QFileDialog::getSaveFileName(this, tr("Save a report of the session"),
+  QString file = QFileDialog::getSaveFileName(this, tr("Save report"),
                                               info.absolutePath() + "/" + info.completeBaseName() + "-report.pdf",
                                               tr("PDF (*.pdf);;Web page (*.html)"), &chosen);
   if (file.isEmpty()) return;

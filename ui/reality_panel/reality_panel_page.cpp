@@ -29,9 +29,8 @@ namespace heft {
 void RealityPanel::showWaiting() {
   QVBoxLayout* column = page()->restart(
       tr("Looking for causes …"),
-      isOfPoses() ? tr("Heft compares the poses with each other, and with what gravity makes of a rigid tool.")
-                  : tr("Heft compares the recording with what the simulation expects, and with 200 simulated clean "
-                       "ones."));
+      isOfPoses() ? tr("Heft compares the poses with each other, and with a rigid tool under gravity.")
+                  : tr("Heft compares the recording with the simulation, and with 200 simulated clean recordings."));
   bar_ = new QProgressBar(page()->content());
   bar_->setRange(0, 1000);
   bar_->setValue(static_cast<int>(1000 * jobs_.fraction()));
@@ -93,7 +92,7 @@ void RealityPanel::refresh() {
     page()->setScrollPosition(position);
   } else if (riddle()) {
     QVBoxLayout* column = page()->restart(tr("What is wrong with this recording?"),
-                                          tr("One fault of the rig is hidden in it. Look, then guess."));
+                                          tr("It contains one hidden fault. Inspect it, then guess."));
     RiddleActions does;
     does.guessed = [this](const std::string& id) { guess(id); };
     does.hintWanted = [this, path = opened->path] {
@@ -138,7 +137,7 @@ CardActions RealityPanel::actions() {
       if (cause.id != id || !parts().plots) continue;
       // Framed in the plots, too, for whoever goes there.
       const auto stretch = telling(*found()->report, cause);
-      parts().plots->highlight(stretch.from, stretch.to, tr("shows best here"));
+      parts().plots->highlight(stretch.from, stretch.to, tr("clearest here"));
     }
     pane_->setView(DifferencePane::View::time);
     pane_->showCause(id);
@@ -193,7 +192,7 @@ void RealityPanel::addCards(QVBoxLayout* column, const Found& found, bool& someN
   const bool only = handled.size() == report.causes.size();
   if (!only) {
     auto* fold =
-        new QPushButton(tr("%n finding(s) that Heft allows for", "", static_cast<int>(handled.size())), content);
+        new QPushButton(tr("%n finding(s) already compensated", "", static_cast<int>(handled.size())), content);
     fold->setObjectName("handledButton");
     fold->setProperty("role", "plain");
     fold->setCheckable(true);
@@ -217,11 +216,10 @@ void RealityPanel::showReport(const Found& found) {
   VerdictText verdict = verdictText(report, count);
   const auto reading = std::ranges::find_if(report.causes, [&](const auto& c) { return isReading(report, c); });
   if (reading != report.causes.end() && !applied(reading->id))
-    verdict = {
-        tr("The numbers mean something else"),
-        report.mistake->tied
-            ? tr("More than one reading fits, each with another weight. State the right one; Heft does not guess.")
-            : tr("First let Heft read the recording as physics requires; the rest of this page assumes it.")};
+    verdict = {tr("The numbers follow other conventions"),
+               report.mistake->tied ? tr("More than one interpretation fits, each with a different mass. Choose the "
+                                         "right one; Heft does not guess.")
+                                    : tr("Apply these conventions first; the rest of this page assumes them.")};
   QVBoxLayout* column = page()->restart(verdict.question, verdict.answer);
   QWidget* content = page()->content();
   if (const auto seed = practiceSeed(workspace().opened()->path); seed && !found.guess.empty())
@@ -229,7 +227,7 @@ void RealityPanel::showReport(const Found& found) {
                 [this] { practise(QRandomGenerator::global()->bounded(1u, 1000000u)); });
   if (outdated()) {
     const Card card = makeCard("cardLook", content);
-    card.layout->addWidget(wrappedLabel(tr("The marks changed since Heft looked."), "body", card.frame));
+    card.layout->addWidget(wrappedLabel(tr("The marks have changed since the last check."), "body", card.frame));
     column->addWidget(card.frame);
   }
   if (report.verdict == Verdict::clean) column->addWidget(makeCleanCard(report, content));
@@ -263,7 +261,7 @@ void RealityPanel::showReport(const Found& found) {
   if (outdated()) {
     page()->setMainButton(tr("Run again"), [this] { diagnose(); });
   } else if (!someNext) {
-    page()->setMainButton(tr("Go on to Export"), [this] { parts().goTo(Step::exportFile); });
+    page()->setMainButton(tr("Continue to Export"), [this] { parts().goTo(Step::exportFile); });
   } else {
     page()->setMainButton({});
   }

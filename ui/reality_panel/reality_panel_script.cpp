@@ -21,15 +21,14 @@ namespace heft {
 Result<bool> RealityPanel::refusal(const QString& sentence) { return Error{sentence.toStdString()}; }
 
 void RealityPanel::addActions(const StudioMenus& menus) {
-  QAction* again = menus.tools->addAction(tr("&Look for causes"), this, [this] {
+  QAction* again = menus.tools->addAction(tr("Run reality chec&k"), this, [this] {
     if (!workspace().opened()) return;
     parts().goTo(Step::realityCheck);
     diagnose();
   });
   again->setShortcut(QKeySequence("Ctrl+L"));
-  menus.file->addAction(tr("&Report of the session …"), this, &RealityPanel::saveReport)
-      ->setShortcut(QKeySequence("Ctrl+P"));
-  QAction* riddle = menus.practice->addAction(tr("&A recording with a hidden fault"), this,
+  menus.file->addAction(tr("Save repor&t …"), this, &RealityPanel::saveReport)->setShortcut(QKeySequence("Ctrl+P"));
+  QAction* riddle = menus.practice->addAction(tr("&New exercise"), this,
                                               [this] { practise(QRandomGenerator::global()->bounded(1u, 1000000u)); });
   riddle->setShortcut(QKeySequence("Ctrl+Shift+P"));
   menus.practice->addAction(tr("&What if …?"), this, [this] {
@@ -40,7 +39,7 @@ void RealityPanel::addActions(const StudioMenus& menus) {
   lesson_->addActions(menus.practice, this);
   menus.practice->addSeparator();
   for (unsigned seed = 1; seed <= 9; ++seed)
-    menus.practice->addAction(tr("Riddle &%1").arg(seed), this, [this, seed] { practise(seed); });
+    menus.practice->addAction(tr("Exercise &%1").arg(seed), this, [this, seed] { practise(seed); });
 }
 
 ScriptForms RealityPanel::scriptForms() {
@@ -94,7 +93,7 @@ std::optional<Result<bool>> RealityPanel::obey(const QStringList& words) {
       if (words[1] == name) {
         pane_->setView(view);
         if (arguments >= 2 && !pane_->setWitness(words[2]))
-          return refusal(tr("There is nothing called %1 to look against.").arg(words[2]));
+          return refusal(tr("There is no quantity called %1.").arg(words[2]));
         look(true);
         return Result<bool>(true);
       }
@@ -115,7 +114,7 @@ std::optional<Result<bool>> RealityPanel::obey(const QStringList& words) {
   if (verb == "practice" && arguments == 1) {
     bool ok = false;
     const auto seed = words[1].toULongLong(&ok);
-    if (!ok) return refusal(tr("practice expects the number of a riddle."));
+    if (!ok) return refusal(tr("practice expects the number of an exercise."));
     practise(seed);
     return Result<bool>(true);
   }
@@ -124,7 +123,7 @@ std::optional<Result<bool>> RealityPanel::obey(const QStringList& words) {
     if (!workspace().opened() || !practiceSeed(workspace().opened()->path))
       return refusal(tr("guess needs a recording to practise on."));
     if (std::find(kinds.begin(), kinds.end(), words[1].toStdString()) == kinds.end())
-      return refusal(tr("%1 is none of the faults to guess.").arg(words[1]));
+      return refusal(tr("%1 is not one of the faults to guess.").arg(words[1]));
     guess(words[1].toStdString());
     return Result<bool>(true);
   }

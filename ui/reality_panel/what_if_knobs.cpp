@@ -49,11 +49,11 @@ void WhatIfKnobs::prepare() {
   failure_.clear();
   const auto segments = parts_.workspace->segments();
   if (!opened) failure_ = tr("Open a recording first.");
-  pane_->showNothing(opened ? tr("The sliders are being made ready …") : failure_);
+  pane_->showNothing(opened ? tr("Preparing the sliders …") : failure_);
   // Before its first estimate nobody knows what of a recording is free; then it comes here again.
   if (!opened || segments.empty()) return emit changed();
   jobs_.start(
-      tr("Making the sliders ready"),
+      tr("Preparing the sliders"),
       [opened, segments](const Progress& progress) -> Result<std::shared_ptr<const WhatIf>> {
         auto made = WhatIf::make(opened->recording, opened->robot, segments, progress);
         if (!made) return made.error();
@@ -99,8 +99,7 @@ void WhatIfKnobs::allOff() {
 
 void WhatIfKnobs::addTo(QVBoxLayout* column, QWidget* content) {
   if (!whatIf_) {
-    column->addWidget(
-        wrappedLabel(failure_.isEmpty() ? tr("The sliders are being made ready …") : failure_, "body", content));
+    column->addWidget(wrappedLabel(failure_.isEmpty() ? tr("Preparing the sliders …") : failure_, "body", content));
     return;
   }
   for (std::size_t k = 0; k < whatIf_->knobs().size(); ++k) {

@@ -148,7 +148,7 @@ void WhatIfPane::showCurves(const WhatIfState& calm, const WhatIfState& state) {
   for (int kind = 0; kind < 2; ++kind) {
     Chart chart;
     const ShownUnit unit = wrenchUnit(kind == 1);
-    chart.yTitle = (kind == 0 ? tr("Force left over [%1]") : tr("Torque left over [%1]")).arg(unit.name);
+    chart.yTitle = (kind == 0 ? tr("Residual force [%1]") : tr("Residual torque [%1]")).arg(unit.name);
     chart.xUnit = QStringLiteral("s");
     // Nine of ten samples of one channel, and a scale that stays while little is left.
     chart.band = kLeavesItsInterval * unit.scale * (kind == 0 ? calm.force : calm.torque);
@@ -173,11 +173,11 @@ void WhatIfPane::showVerdict(const WhatIf& whatIf, const WhatIfState& calm, cons
   }
   if (!state.seen) {
     const bool moves = state.moved.cwiseAbs().maxCoeff() > kLeavesItsInterval;
-    verdict_->setText(moves ? tr("Nobody would see it in this motion, and the numbers are wrong all the same.")
-                            : tr("Nobody would see it in this motion, and it does no harm."));
+    verdict_->setText(moves ? tr("Not visible in this motion, and the numbers are wrong all the same.")
+                            : tr("Not visible in this motion, and harmless."));
     return;
   }
-  verdict_->setText(tr("It would be seen: %1 N and %2 are left over, %3 N and %4 without it.")
+  verdict_->setText(tr("Visible: the residual is %1 N and %2, and %3 N and %4 without it.")
                         .arg(numberText(state.force, 3), torqueText(state.torque, 4), numberText(calm.force, 3),
                              torqueText(calm.torque, 4)));
   if (!state.lookAlike) return;

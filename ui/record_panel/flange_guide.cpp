@@ -35,7 +35,7 @@ FlangeGuide::FlangeGuide(LiveRun* run, RobotView* view, QObject* parent) : QObje
     turn.centre = kMiddle;
     turn.point = kMiddle + kRing * Vector3d::Unit((a + 1) % 3);
     turn.tone = a;
-    turn.tip = tr("Drag round to turn the tool");
+    turn.tip = tr("Drag along the ring to rotate the tool");
     handles.push_back(turn);
   }
   handles_.setHandles(handles);

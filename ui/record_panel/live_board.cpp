@@ -28,12 +28,10 @@ LiveBoard::LiveBoard(LiveRun* run, QWidget* parent) : QWidget(parent), run_(run)
   if (run_->virtualArm()) buildVirtual(column);
   auto* other = new QHBoxLayout;
   other->addWidget(
-      wrappedLabel(run_->poses() ? tr("Rather move the arm freely?") : tr("Rather hold still in several poses?"),
-                   "answer", this),
-      1);
+      wrappedLabel(run_->poses() ? tr("Prefer free motion?") : tr("Prefer standing poses?"), "answer", this), 1);
   auto* change = new QPushButton(run_->poses() ? tr("Free motion") : tr("Standing poses"), this);
   change->setObjectName("posesButton");
-  change->setToolTip(run_->poses() ? tr("Starts again; mass, centre and inertia from free motion")
+  change->setToolTip(run_->poses() ? tr("Starts a new recording (mass, centre of mass and inertia)")
                                    : tr("Starts a new recording (mass and centre of mass only)"));
   connect(change, &QPushButton::clicked, this, [this] { emit posesWanted(!run_->poses()); });
   other->addWidget(change);
@@ -65,7 +63,7 @@ void LiveBoard::buildCard(QVBoxLayout* column) {
   progress_->setObjectName("coachProgress");
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
-  progress_->setAccessibleName(tr("How much of the suggested motion's time has passed"));
+  progress_->setAccessibleName(tr("Progress through the suggested motion"));
   row->addWidget(progress_, 1);
   more_ = styledLabel({}, "smallNumber", this);
   row->addWidget(more_);
@@ -82,7 +80,7 @@ void LiveBoard::buildCard(QVBoxLayout* column) {
 
 void LiveBoard::buildKnown(QVBoxLayout* column) {
   auto* head = new QHBoxLayout;
-  head->addWidget(styledLabel(tr("What Heft knows so far"), "sectionTitle", this));
+  head->addWidget(styledLabel(tr("Current estimate"), "sectionTitle", this));
   head->addStretch(1);
   head->addWidget(styledLabel(tr("band = uncertainty over time"), "caption", this));
   column->addLayout(head);
@@ -203,7 +201,7 @@ void LiveBoard::refreshCard() {
     return;
   }
   if (view.conventions) {
-    kicker_->setText(tr("NOT WHAT THE RIG SAYS"));
+    kicker_->setText(tr("DOES NOT MATCH THE SETUP"));
     sentence_->setText(QString::fromStdString(view.conventions->sentence));
     gain_->setText(QString::fromStdString(view.conventions->check));
     return;
@@ -269,9 +267,9 @@ void LiveBoard::refreshKnown() {
   for (std::size_t k = 0; k < 3; ++k) known_[k]->show(texts[k], times, widths[k]);
   QString text;
   if (view.state.touch == Touch::contact) {
-    text = tr("Something touches the tool now. This segment is left out.");
+    text = tr("The tool is touching something. This part is excluded.");
   } else if (!view.touched.empty()) {
-    text = tr("%n segment(es) look touched. You can check them in Mark.", "", static_cast<int>(view.touched.size()));
+    text = tr("%n possible contact(s). You can review them in Mark.", "", static_cast<int>(view.touched.size()));
   }
   if (view.state.toolChanged) {
     text = tr("The tool was changed at %1 s. The numbers above are for the new one.")

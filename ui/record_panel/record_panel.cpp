@@ -125,7 +125,7 @@ StepState RecordPanel::state() const {
 
 QString RecordPanel::hint() const {
   if (!run_->running()) return {};
-  return virtualRun() ? tr("Drag the tool, or use arrow keys; with Shift they turn it")
+  return virtualRun() ? tr("Drag the tool, or use the arrow keys; hold Shift to rotate")
                       : tr("Move the arm as the coach suggests, then press “Stop and save”");
 }
 
@@ -275,7 +275,8 @@ void RecordPanel::liveRefreshed() {
   board_->refresh();
   const bool enough = run_->poses() ? now.poses.size() >= 2 : now.any;
   if (enough != page()->mainButton()->isEnabled())
-    page()->setMainEnabled(enough, run_->poses() ? tr("Two poses at least are needed.") : tr("Nothing has come yet."));
+    page()->setMainEnabled(enough,
+                           run_->poses() ? tr("At least two poses are needed.") : tr("Nothing has been received yet."));
   // Plots cost more than numbers: every other time is enough for the eye.
   if (ownPane_ && here_ && (plotted_++ % 2 == 0 || !run_->byClock()))
     ownPane_->showLive(now.traces, now.touched, now.time);
@@ -329,9 +330,9 @@ void RecordPanel::stopAndKeep() {
                 [file] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file).absolutePath())); });
   if (assumed && parts().editRig)
     parts().offer(Severity::warning,
-                  tr("The sensor’s mounting on the flange is not stated, so Heft assumes the flange’s own axes. If the "
-                     "sensor is mounted otherwise, the inertia and the exported numbers are wrong."),
-                  tr("Say it now …"), parts().editRig);
+                  tr("The sensor’s mounting on the flange is not stated, so Heft assumes the flange’s axes. If it is "
+                     "mounted differently, the inertia and the exported numbers are wrong."),
+                  tr("Specify it now …"), parts().editRig);
 }
 
 void RecordPanel::keepUnderWay() {
@@ -341,11 +342,11 @@ void RecordPanel::keepUnderWay() {
 bool RecordPanel::mayEnd() {
   if (!run_->running()) return true;
   if (parts().asks) {
-    QMessageBox box(QMessageBox::NoIcon, tr("Heft Studio"), tr("A recording is under way. Stop it?"),
+    QMessageBox box(QMessageBox::NoIcon, tr("Heft Studio"), tr("A recording is running. Stop it?"),
                     QMessageBox::NoButton, this);
-    box.setInformativeText(tr("What has come so far is kept in %1.").arg(recordedFolder()));
+    box.setInformativeText(tr("What has been recorded so far is kept in %1.").arg(recordedFolder()));
     auto* stop = box.addButton(tr("Stop and save"), QMessageBox::AcceptRole);
-    auto* goOn = box.addButton(tr("Go on recording"), QMessageBox::RejectRole);
+    auto* goOn = box.addButton(tr("Continue recording"), QMessageBox::RejectRole);
     box.setDefaultButton(goOn);
     box.exec();
     if (box.clickedButton() != stop) return false;
@@ -359,10 +360,10 @@ bool RecordPanel::mayEnd() {
 void RecordPanel::discardPoses() {
   const int count = static_cast<int>(run_->view().poses.size());
   if (parts().asks && count > 0) {
-    QMessageBox box(QMessageBox::NoIcon, tr("Heft Studio"), tr("Throw %n pose(s) away?", "", count),
-                    QMessageBox::NoButton, this);
-    auto* away = box.addButton(tr("Throw away"), QMessageBox::DestructiveRole);
-    auto* goOn = box.addButton(tr("Go on recording"), QMessageBox::RejectRole);
+    QMessageBox box(QMessageBox::NoIcon, tr("Heft Studio"), tr("Discard %n pose(s)?", "", count), QMessageBox::NoButton,
+                    this);
+    auto* away = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
+    auto* goOn = box.addButton(tr("Continue recording"), QMessageBox::RejectRole);
     box.setDefaultButton(goOn);
     box.exec();
     if (box.clickedButton() != away) return;
@@ -422,12 +423,12 @@ void RecordPanel::showRoom() {
 }
 
 void RecordPanel::addActions(const StudioMenus& menus) {
-  menus.tools->addAction(tr("Choose a &room …"), this, &RecordPanel::chooseRoom)->setObjectName("chooseRoomAction");
-  menus.tools->addAction(tr("&Walls that were touched"), this, &RecordPanel::findTouchedWalls)
+  menus.tools->addAction(tr("Choose a r&oom …"), this, &RecordPanel::chooseRoom)->setObjectName("chooseRoomAction");
+  menus.tools->addAction(tr("Walls t&hat were touched"), this, &RecordPanel::findTouchedWalls)
       ->setObjectName("touchedWallsAction");
-  menus.file->addAction(tr("Save &recording as …"), this, &RecordPanel::saveRecordingAs)
+  menus.file->addAction(tr("Save recordin&g as …"), this, &RecordPanel::saveRecordingAs)
       ->setObjectName("saveRecordingAs");
-  menus.file->addAction(tr("Open the recordings f&older"), this, [] {
+  menus.file->addAction(tr("Open the recordings fol&der"), this, [] {
     QDir().mkpath(recordedFolder());
     QDesktopServices::openUrl(QUrl::fromLocalFile(recordedFolder()));
   });

@@ -43,7 +43,7 @@ void RecordPanel::refresh() {
           tr("Drag the virtual arm with the mouse as if guiding it by hand, and find out what its hidden tool weighs.");
   switch (way_) {
     case Way::files:
-      column = page()->restart(tr("What does your tool weigh?"), forFiles);
+      column = page()->restart(tr("Start with a recording"), forFiles);
       addWays(column);
       addFiles(column);
       if (workspace().opened()) addRoom(column);
@@ -131,9 +131,9 @@ void RecordPanel::addSamples(QVBoxLayout* column) {
     connect(button, &QPushButton::clicked, this, [this, sample] { openSample(sample); });
     column->addWidget(button);
   }
-  column->addWidget(wrappedLabel(tr("Or guide the virtual arm yourself (third tab above), or look for a hidden fault: "
-                                    "menu Practice."),
-                                 "caption", content));
+  column->addWidget(
+      wrappedLabel(tr("Or guide the virtual arm yourself (third tab above), or find a hidden fault: menu Practice."),
+                   "caption", content));
 }
 
 void RecordPanel::openSample(const Sample& sample) {
@@ -151,7 +151,7 @@ void RecordPanel::addVirtual(QVBoxLayout* column) {
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   auto* group = new QButtonGroup(content);
-  const std::tuple<QString, QString, double, double> tools[] = {{tr("Surprise"), tr("anything"), 0.25, 1.6},
+  const std::tuple<QString, QString, double, double> tools[] = {{tr("Random"), tr("any tool"), 0.25, 1.6},
                                                                 {tr("Light"), tr("below 0.5 kg"), 0.25, 0.5},
                                                                 {tr("Heavy"), tr("over 1.1 kg"), 1.1, 1.6}};
   for (const auto& [name, detail, lightest, heaviest] : tools) {
@@ -165,10 +165,9 @@ void RecordPanel::addVirtual(QVBoxLayout* column) {
   tool_ = toolBetween(0.25, 1.6);
   const Card card = makeCard("card", content);
   card.layout->addWidget(styledLabel(tr("How to guide it"), "sectionTitle", content));
-  for (const QString& line :
-       {tr("Drag the tool in the picture: the arm follows."), tr("Drag one of the three rings: the tool turns."),
-        tr("Or use the arrow keys and Page Up/Down; hold Shift to rotate."),
-        tr("The coach suggests the most useful motion. Click \"Show me\" to see it.")})
+  for (const QString& line : {tr("Drag the tool to move the arm."), tr("Drag a ring to rotate the tool."),
+                              tr("Or use the arrow keys and Page Up/Down; hold Shift to rotate."),
+                              tr("The coach suggests the most useful motion. Click \"Show me\" to see it.")})
     card.layout->addWidget(wrappedLabel(line, "caption", content));
   column->addWidget(card.frame);
   page()->setSecondButton(tr("Standing poses"), [this] { startVirtual(tool_, true, true); });
@@ -232,7 +231,7 @@ void RecordPanel::showLive() {
   }
   page()->setMainButton(
       tr("Stop and save"), [this] { stopAndKeep(); }, "check");
-  page()->setMainEnabled(false, tr("Nothing has come yet."));
+  page()->setMainEnabled(false, tr("Nothing has been received yet."));
 }
 
 void RecordPanel::showPause() {

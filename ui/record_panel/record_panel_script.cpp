@@ -73,7 +73,7 @@ std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
       origin.meta.numbersArePlain();
     }
     listenTo(std::move(origin), false);
-    if (!run_->running()) return wrong(tr("%1 could not be played.").arg(words[2]));
+    if (!run_->running()) return wrong(tr("%1 could not be replayed.").arg(words[2]));
     // The script goes on when all has come and has been learned.
     waiting_.start(
         QString(),
@@ -102,7 +102,7 @@ std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
     run_->virtualArm()->guide([&](GuidedArm& arm) { FlangeGuide::nudge(arm, shift, turn); });
     return Result<bool>(true);
   }
-  if (what == "show") return run_->makeAdvised() ? Result<bool>(true) : wrong(tr("There is nothing to be shown now."));
+  if (what == "show") return run_->makeAdvised() ? Result<bool>(true) : wrong(tr("There is nothing to show now."));
   if (what == "change") return changeTool(), Result<bool>(true);
   if (what == "stop") return stopAndKeep(), Result<bool>(true);
   if (what == "discard") {

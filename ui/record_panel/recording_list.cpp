@@ -79,10 +79,9 @@ void RecordingList::addTogether() {
   layout()->addWidget(together);
   const Session& session = workspace_->session();
   if (session.shape.answer == ShapeChoice::Answer::given || !session.settings.known.empty())
-    layout()->addWidget(wrappedLabel(
-        tr("The shape and what you know of the tool hold for all of them. Another tool is a session of its own: menu "
-           "File, New."),
-        "caption", this));
+    layout()->addWidget(wrappedLabel(tr("The shape and your reference values apply to all of them. For another tool, "
+                                        "start a new session: menu File, New."),
+                                     "caption", this));
 }
 
 void RecordingList::offer(int index, const QPoint& at) {

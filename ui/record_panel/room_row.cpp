@@ -14,7 +14,7 @@
 namespace heft {
 
 QString roomText(const QString& file, const Room& room) {
-  return RoomRow::tr("%1: %n obstacle(s), and nothing comes nearer than %2 mm.", "",
+  return RoomRow::tr("%1: %n obstacle(s); everything stays at least %2 mm away.", "",
                      static_cast<int>(room.obstacles.size()))
       .arg(QFileInfo(file).fileName(), numberText(1e3 * room.margin, 0));
 }
@@ -22,7 +22,7 @@ QString roomText(const QString& file, const Room& room) {
 RoomRow::RoomRow(Workspace* workspace, QWidget* parent) : QWidget(parent), workspace_(workspace) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 6, 0, 0);
-  column->addWidget(styledLabel(tr("What is in the way"), "sectionTitle", this));
+  column->addWidget(styledLabel(tr("Obstacles"), "sectionTitle", this));
   words_ = wrappedLabel({}, "caption", this);
   column->addWidget(words_);
   auto* buttons = new QHBoxLayout;
@@ -56,8 +56,7 @@ void RoomRow::refresh() {
   remove_->setVisible(!file.empty());
   if (file.empty())
     return words_->setText(
-        tr("Walls and tables are not known: what the coach proposes keeps the arm off itself and off "
-           "its tool only."));
+        tr("Walls and tables are not known: suggested motions only keep the arm clear of itself and its tool."));
   const auto room = readRoom(file);
   words_->setText(room ? roomText(QString::fromStdString(file.string()), *room)
                        : QString::fromStdString(room.error().message));

@@ -44,8 +44,8 @@ SourceForm::SourceForm(QWidget* parent) : QWidget(parent) {
       {Kind::ur, tr("Universal Robots"), tr("joints and wrench"), "sourceUr"},
       {Kind::foxglove, tr("ROS, Foxglove bridge"), tr("joints and wrench"), "sourceFoxglove"},
       {Kind::rosbridge, tr("ROS, rosbridge"), tr("joints and wrench"), "sourceRosbridge"},
-      {Kind::jsonUdp, tr("Own program"), tr("JSON over UDP"), "sourceUdp"},
-      {Kind::replay, tr("A recording"), tr("played as it happened"), "sourceReplay"}};
+      {Kind::jsonUdp, tr("Custom program"), tr("JSON over UDP"), "sourceUdp"},
+      {Kind::replay, tr("Recording"), tr("replayed in real time"), "sourceReplay"}};
   int place = 0;
   for (const auto& [kind, name, detail, object] : cards) {
     auto* card = new ChoiceCard(name, detail, this);
@@ -100,15 +100,15 @@ void SourceForm::rebuild() {
   column->setSpacing(6);
   const Place places[] = {
       {tr("Address of the sensor, for instance 192.168.1.1"),
-       tr("As its web page has it. Heft asks it for its data and changes nothing in it.")},
+       tr("As shown on the sensor’s web page. Heft only reads its data.")},
       {tr("Address of the robot, for instance 192.168.0.10"),
-       tr("An e-Series of Universal Robots with its own force sensor. Heft reads and writes nothing to it.")},
+       tr("A Universal Robots e-Series with its own force sensor. Heft only reads from it.")},
       {tr("Foxglove bridge address (default: localhost:8765)"), tr("Computer and port of foxglove_bridge")},
-      {tr("Address of rosbridge; empty: localhost:9090"), tr("Computer and port of rosbridge_server")},
+      {tr("rosbridge address (default: localhost:9090)"), tr("Computer and port of rosbridge_server")},
       {tr("UDP port (default: 9870)"),
        tr("One JSON object per datagram: time [s], q1 … q7 [rad], fx fy fz [N], tx ty tz [N m]. Only from this "
           "computer.")},
-      {tr("Recording to play"), tr("Any recording that Heft opens")}};
+      {tr("Recording to replay"), tr("Any recording that Heft opens")}};
   const Place& place = places[static_cast<int>(kind_)];
   const auto addWithChooser = [&](QLineEdit* field, const QString& title, const QString& filter) {
     auto* row = new QHBoxLayout;
@@ -151,15 +151,14 @@ void SourceForm::rebuild() {
   }
   column->addSpacing(4);
   rig_ = addField(column, tr("Setup file (NAME.meta.json), optional"), "rigFile",
-                  tr("Says which robot it is, how the sensor is mounted and which sign its forces have"));
+                  tr("States the robot, the sensor’s mounting and the sign of its forces"));
   rig_->setText(lastRig_);
   addWithChooser(rig_, tr("Choose a setup file"), tr("Setup files (*.json)"));
   if (kind_ == Kind::replay) {
-    column->addWidget(wrappedLabel(tr("Without it the recording’s own is used."), "caption", fields_));
+    column->addWidget(wrappedLabel(tr("Without one, the recording’s own is used."), "caption", fields_));
     return;
   }
-  column->addWidget(
-      wrappedLabel(tr("Without it Heft takes the arm for a Franka Panda, and asks:"), "caption", fields_));
+  column->addWidget(wrappedLabel(tr("Without one, Heft assumes a Franka Panda, and asks:"), "caption", fields_));
   addMount(column);
 }
 
@@ -185,9 +184,8 @@ void SourceForm::addMount(QVBoxLayout* column) {
   column->addWidget(note);
   const auto show = [this, below, note] {
     below->setVisible(mountAnswer_ == 1);
-    note->setText(mountAnswer_ == 2
-                      ? tr("Heft takes it for the flange’s own axes now and asks again after the recording.")
-                      : tr("Its axes are taken to lie as the flange’s; a rotated sensor needs a setup file."));
+    note->setText(mountAnswer_ == 2 ? tr("Heft assumes the flange’s axes for now and asks again after the recording.")
+                                    : tr("Heft assumes the flange’s axes; a rotated sensor needs a setup file."));
   };
   connect(mounted_, &Segments::picked, this, [this, show](int answer) {
     mountAnswer_ = answer;
@@ -251,10 +249,10 @@ Result<std::vector<std::string>> SourceForm::addresses() const {
     QString address = text.trimmed();
     switch (kind) {
       case Kind::netFt:
-        if (address.isEmpty()) return Error{tr("The sensor's address is missing.").toStdString()};
+        if (address.isEmpty()) return Error{tr("Enter the sensor’s address.").toStdString()};
         return "rdt:" + address.toStdString();
       case Kind::ur:
-        if (address.isEmpty()) return Error{tr("The robot's address is missing.").toStdString()};
+        if (address.isEmpty()) return Error{tr("Enter the robot’s address.").toStdString()};
         return "rtde:" + address.toStdString();
       case Kind::foxglove:
         return "foxglove:" + (address.isEmpty() ? std::string("localhost") : address.toStdString());
@@ -263,7 +261,7 @@ Result<std::vector<std::string>> SourceForm::addresses() const {
       case Kind::jsonUdp:
         return "udp:" + (address.isEmpty() ? std::string("9870") : address.toStdString());
       case Kind::replay:
-        if (address.isEmpty()) return Error{tr("Which recording is to be played?").toStdString()};
+        if (address.isEmpty()) return Error{tr("Choose a recording to replay.").toStdString()};
         return "replay:" + address.toStdString();
     }
     return Error{""};
@@ -292,11 +290,11 @@ Result<RecordingMeta> SourceForm::meta() const {
     if (!read) return read.error();
     meta = std::move(*read);
   } else if (kind_ != Kind::replay) {
-    if (mountAnswer_ < 0)
-      return Error{tr("Enter where the sensor’s measuring point is, or choose a setup file.").toStdString()};
+    if (mountAnswer_ < 0) return Error{tr("Enter the sensor’s measuring point, or choose a setup file.").toStdString()};
     if (mountAnswer_ == 1) meta.mount.xyz.z() = 1e-3 * lastDistance_;
   }
-  if (meta.kind == RecordingKind::poses) return Error{tr("Standing poses cannot be played as a motion.").toStdString()};
+  if (meta.kind == RecordingKind::poses)
+    return Error{tr("Standing poses cannot be replayed as a motion.").toStdString()};
   // A replayed recording is brought to the plain form when it is read.
   if (kind_ == Kind::replay) meta.numbersArePlain();
   meta.marks.clear();

@@ -50,8 +50,8 @@ QString pictureOf(const Chart& chart, int height = 190) {
 Chart wrenchChart(const EstimateReport& report, bool torque, bool difference) {
   Chart chart;
   const auto& s = report.series;
-  chart.yTitle = difference ? (torque ? Words::tr("Torque, measured less simulated [N m]")
-                                      : Words::tr("Force, measured less simulated [N]"))
+  chart.yTitle = difference ? (torque ? Words::tr("Torque, measured minus simulated [N m]")
+                                      : Words::tr("Force, measured minus simulated [N]"))
                             : (torque ? Words::tr("Torque [N m]") : Words::tr("Force [N]"));
   chart.xTitle = Words::tr("Time [s]");
   const int first = torque ? 3 : 0;
@@ -97,8 +97,8 @@ QString recordingPart(const OpenRecording& opened) {
 QString resultPart(Workspace& workspace, const EstimateReport& report) {
   const ResultText text = describeResult(report, knownPayload(workspace), openQuestion(workspace));
   QString out = heading(text.question) + paragraph(text.answer);
-  QString rows = row(
-      {Words::tr("Number"), Words::tr("Value"), Words::tr("95 %"), Words::tr("Unit"), Words::tr("Known from")}, true);
+  QString rows =
+      row({Words::tr("Number"), Words::tr("Value"), Words::tr("95 %"), Words::tr("Unit"), Words::tr("Source")}, true);
   // The interval's own text holds the unit where it stands beside the number.
   rows += row({Words::tr("Mass"), text.mass.value, text.mass.plusMinus, {}, sourceWord(text.mass.source)});
   for (const NumberText& n : text.com)
@@ -110,13 +110,13 @@ QString resultPart(Workspace& workspace, const EstimateReport& report) {
   if (!text.known.empty()) {
     QString compared;
     for (const DetailText& d : text.known) compared += row({d.name, d.value});
-    out += QStringLiteral("<h3>%1</h3>\n").arg(escaped(Words::tr("Compared with what was known"))) + table(compared);
+    out += QStringLiteral("<h3>%1</h3>\n").arg(escaped(Words::tr("Compared with reference values"))) + table(compared);
   }
   QString details;
   for (const DetailText& d : text.details) details += row({d.name, d.value});
   out += QStringLiteral("<h3>%1</h3>\n").arg(escaped(Words::tr("Details"))) + table(details);
   if (!text.findings.empty()) {
-    out += QStringLiteral("<h3>%1</h3>\n<ul>").arg(escaped(Words::tr("To be noted")));
+    out += QStringLiteral("<h3>%1</h3>\n<ul>").arg(escaped(Words::tr("Notes")));
     for (const FindingText& f : text.findings)
       out += QStringLiteral("<li>%1</li>\n").arg(escaped((f.text + " " + f.remedy).trimmed()));
     out += QStringLiteral("</ul>\n");
@@ -140,7 +140,7 @@ QString proofPart(const Workspace& workspace, const EstimateReport& report) {
   if (!text) return {};
   QString out = heading(Words::tr("Proof")) +
                 QStringLiteral("<p><b>%1</b></p>\n").arg(escaped(QString::fromStdString(text->headline)));
-  if (text->outdated) out += paragraph(Words::tr("It is of other numbers than these."));
+  if (text->outdated) out += paragraph(Words::tr("It was made with other numbers than these."));
   for (const auto& reason : text->reasons)
     out += paragraph(QString::fromStdString(reason.text + ' ' + reason.remedy).trimmed());
   QStringList facts;
@@ -151,10 +151,10 @@ QString proofPart(const Workspace& workspace, const EstimateReport& report) {
 QString marksPart(const Workspace& workspace) {
   const auto segments = workspace.segments();
   if (segments.empty()) return {};
-  QString rows = row({Words::tr("From [s]"), Words::tr("To [s]"), Words::tr("Mark"), Words::tr("Why")}, true);
+  QString rows = row({Words::tr("From [s]"), Words::tr("To [s]"), Words::tr("Mark"), Words::tr("Reason")}, true);
   for (const Segment& s : segments)
     rows += row({numberText(s.from, 2), numberText(s.to, 2), labelWord(s.label), QString::fromStdString(s.reason)});
-  return heading(Words::tr("What touched nothing")) + table(rows);
+  return heading(Words::tr("Marked segments")) + table(rows);
 }
 
 QString causePart(const DiagnosisReport& report, const DiagnosedCause& cause, bool applied) {
@@ -163,7 +163,7 @@ QString causePart(const DiagnosisReport& report, const DiagnosedCause& cause, bo
              .arg(escaped(sentenceOf(cause, report)), applied ? escaped(Words::tr(" (applied)")) : QString());
   if (cause.before.cols() > 0) out += pictureOf(errorChart(report, cause), 150);
   if (cause.gain.forceBefore > 0.0)
-    out += paragraph(Words::tr("Unseen error %1 → %2; noise floor %3.")
+    out += paragraph(Words::tr("Held-out error %1 → %2; noise floor %3.")
                          .arg(newtonText(cause.gain.forceBefore), newtonText(cause.gain.forceAfter),
                               newtonText(report.noise.force)));
   if (isTied(cause)) {
@@ -175,7 +175,7 @@ QString causePart(const DiagnosisReport& report, const DiagnosedCause& cause, bo
   QString rows;
   for (const auto& p : cause.parameters) rows += row({parameterTitle(p), parameterText(p)});
   out += table(rows);
-  out += paragraph(Words::tr("Check on the rig: %1").arg(checkOf(cause, report)));
+  out += paragraph(Words::tr("Check on the robot: %1").arg(checkOf(cause, report)));
   const StrengthText strength = strengthOf(cause, report);
   return out + paragraph(QStringLiteral("%1: %2").arg(strength.word.left(1).toUpper() + strength.word.mid(1),
                                                       strength.meaning));
@@ -186,7 +186,7 @@ QString diagnosisPart(const Workspace& workspace, const DiagnosisReport& report)
   const VerdictText verdict = verdictText(report, static_cast<int>(applied.size()));
   QString out = heading(Words::tr("Reality check: %1").arg(verdict.question));
   if (report.verdict == Verdict::clean)
-    out += paragraph(Words::tr("Only the sensor’s noise is left: %1.").arg(newtonText(report.noise.force)));
+    out += paragraph(Words::tr("The remaining error is sensor noise: %1.").arg(newtonText(report.noise.force)));
   for (const auto& cause : report.causes)
     out += causePart(report, cause, std::find(applied.begin(), applied.end(), cause.id) != applied.end());
   if (report.verdict == Verdict::unexplained)
@@ -195,8 +195,8 @@ QString diagnosisPart(const Workspace& workspace, const DiagnosisReport& report)
   if (!report.causes.empty()) {
     const ChangeText change = payloadChange(report);
     out += paragraph(change.text.isEmpty()
-                         ? Words::tr("With all causes mass and centre stay the same.")
-                         : Words::tr("With all causes the result changes: %1, %2 times its stated uncertainty.")
+                         ? Words::tr("With all causes applied, mass and centre stay the same.")
+                         : Words::tr("With all causes applied the result changes: %1, %2 times its stated uncertainty.")
                                .arg(change.text, numberText(change.sigmas, 1)));
   }
   for (const bool torque : {false, true}) {
@@ -218,7 +218,7 @@ QString diagnosisPart(const Workspace& workspace, const DiagnosisReport& report)
     out += pictureOf(chart, 170);
   }
   const QStringList unseen = couldNotBeSeen(report, 12);
-  if (!unseen.isEmpty()) out += paragraph(Words::tr("Could not have been seen: %1.").arg(unseen.join(", ")));
+  if (!unseen.isEmpty()) out += paragraph(Words::tr("Not detectable in this recording: %1.").arg(unseen.join(", ")));
   return out;
 }
 

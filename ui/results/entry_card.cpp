@@ -86,8 +86,8 @@ void EntryCard::addTo(QVBoxLayout* column, QWidget* content) {
     addAnswer(card.layout, content);
   } else {
     card.layout->addWidget(styledLabel(tr("What does today’s entry cost?"), "sectionTitle", content));
-    card.layout->addWidget(wrappedLabel(tr("Enter what the controller is set to now. Heft then shows which forces it "
-                                           "would feel that nobody exerts, and what they do."),
+    card.layout->addWidget(wrappedLabel(tr("Enter the payload that the controller is set to. Heft then shows the "
+                                           "phantom forces it would see, and their effect."),
                                         "body", content));
   }
   auto* row = new QHBoxLayout;
@@ -132,7 +132,7 @@ void EntryCard::addAnswer(QVBoxLayout* card, QWidget* content) {
                                                    : tr("Set as in %1.").arg(entry->source);
   QString notes = source;
   if (!text.note.isEmpty()) notes += " " + text.note;
-  if (cost->differs) notes += " " + tr("The arrow on the tool shows the force at the moment shown.");
+  if (cost->differs) notes += " " + tr("The arrow on the tool shows the force at the current time.");
   card->addWidget(wrappedLabel(notes, "caption", content));
 }
 

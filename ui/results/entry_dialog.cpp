@@ -24,14 +24,13 @@ EntryDialog::EntryDialog(const ControllerChoice& choice, const PartialPayload& s
   auto* form = new QFormLayout(this);
   form->setContentsMargins(20, 18, 20, 16);
   form->setSpacing(10);
-  form->addRow(wrappedLabel(tr("As it stands at the controller, with everything beyond the flange. A weight of 0 means "
+  form->addRow(wrappedLabel(tr("As entered in the controller, with everything beyond the flange. A weight of 0 means "
                                "that nothing was entered."),
                             "answer", this));
-  fields_ =
-      new PayloadForm(shown,
-                      tr("Centre from the flange, inertia about the centre of mass, along the flange’s axes. What "
-                         "you leave empty is taken as estimated."),
-                      form, this);
+  fields_ = new PayloadForm(shown,
+                            tr("Centre from the flange, inertia about the centre of mass, along the flange’s axes. "
+                               "Empty fields use the estimate."),
+                            form, this);
   fields_->allowZero();
   form->addRow(styledLabel(tr("What it reacts to"), "sectionTitle", this));
   const struct {
@@ -46,9 +45,9 @@ EntryDialog::EntryDialog(const ControllerChoice& choice, const PartialPayload& s
     limits_[i]->setAccessibleName(rows[i].title);
     form->addRow(rows[i].title, limits_[i]);
   }
-  form->addRow(wrappedLabel(tr("At first as in libfranka’s examples: 10 N, 10 N m, 3000 N/m. Your program’s values "
-                               "count."),
-                            "caption", this));
+  form->addRow(
+      wrappedLabel(tr("Defaults as in libfranka’s examples: 10 N, 10 N m, 3000 N/m. Use the values of your program."),
+                   "caption", this));
   problem_ = wrappedLabel({}, "body", this);
   form->addRow(problem_);
   form->addRow(dialogButtons(this, tr("Compare"), [this] { return read(); }));
@@ -66,7 +65,7 @@ bool EntryDialog::read() {
   for (std::size_t i = 0; i < 3; ++i) {
     const auto value = typedNumber(limits_[i]);
     if (!value || *value <= 0) {
-      problem_->setText(tr("%1 should be a number above zero.").arg(limits_[i]->accessibleName()));
+      problem_->setText(tr("%1 must be a number above zero.").arg(limits_[i]->accessibleName()));
       return false;
     }
     next.*kLimits[i] = *value;

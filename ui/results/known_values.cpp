@@ -11,15 +11,13 @@
 namespace heft {
 
 KnownValuesDialog::KnownValuesDialog(const PartialPayload& known, QWidget* parent) : QDialog(parent), values_(known) {
-  setWindowTitle(tr("What do you know already?"));
+  setWindowTitle(tr("What do you already know?"));
   setMinimumWidth(460);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(20, 18, 20, 16);
   form->setSpacing(10);
-  form->addRow(
-      wrappedLabel(tr("From a scale or from CAD. Heft compares with it and changes nothing; leave empty what you "
-                      "do not know."),
-                   "answer", this));
+  form->addRow(wrappedLabel(tr("From a scale or from CAD. Used for comparison only; leave unknown fields empty."),
+                            "answer", this));
   fields_ = new PayloadForm(known,
                             tr("Centre from the sensor’s origin, inertia about the centre of mass, along the sensor’s "
                                "axes. Products as in the inertia matrix."),

@@ -31,8 +31,8 @@ void ObjectCard::addTo(QVBoxLayout* column, QWidget* content) {
   } else {
     card.layout->addWidget(styledLabel(tr("Something picked up?"), "sectionTitle", content));
     card.layout->addWidget(
-        wrappedLabel(tr("Heft weighs by itself what the tool carries: from this recording, if it is picked up or put "
-                        "down in it, or by a second one of the same tool without it."),
+        wrappedLabel(tr("Heft can weigh what the tool carries: from this recording, if the object is picked up or put "
+                        "down in it, or with a second recording of the tool alone."),
                      "body", content));
   }
   auto* buttons = new QVBoxLayout;
@@ -72,9 +72,8 @@ void ObjectCard::addAnswer(QVBoxLayout* card, QWidget* content) {
   QString source =
       objects_->without().isEmpty()
           ? tr("From the parts of this recording with and without it, in the sensor’s axes.")
-          : tr("This recording less %1, in the sensor’s axes.").arg(QFileInfo(objects_->without()).fileName());
-  if (!parts_.workspace->corrections().causes.empty())
-    source += ' ' + tr("Causes that were applied are not taken out.");
+          : tr("This recording minus %1, in the sensor’s axes.").arg(QFileInfo(objects_->without()).fileName());
+  if (!parts_.workspace->corrections().causes.empty()) source += ' ' + tr("Applied corrections are not used here.");
   card->addWidget(wrappedLabel(source, "caption", content));
 }
 

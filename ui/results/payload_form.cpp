@@ -73,8 +73,8 @@ std::optional<PartialPayload> PayloadForm::read() {
   problem_.clear();
   if (!mass_->text().trimmed().isEmpty()) {
     out.mass = typedNumber(mass_);
-    if (zero_ && (!out.mass || *out.mass < 0)) return fail(tr("The weight should be a number, zero or above."));
-    if (!zero_ && (!out.mass || *out.mass <= 0)) return fail(tr("The weight should be a number above zero."));
+    if (zero_ && (!out.mass || *out.mass < 0)) return fail(tr("The weight must be a number, zero or above."));
+    if (!zero_ && (!out.mass || *out.mass <= 0)) return fail(tr("The weight must be a number above zero."));
   }
   const auto filled = [](const auto& fields) {
     return std::count_if(fields.begin(), fields.end(),

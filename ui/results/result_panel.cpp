@@ -10,6 +10,7 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "ui/models/glossary.h"
 #include "ui/results/detail_rows.h"
 #include "ui/results/mass_scale.h"
 #include "ui/results/share_rows.h"
@@ -51,6 +52,22 @@ QString shortTagText(Source source) {
   return source == Source::none ? ResultPanel::tr("not known") : sourceWord(source);
 }
 
+/// The title of a card, with what the term means.
+QLabel* termLabel(const QString& text, const char* term, QWidget* parent) {
+  QLabel* label = styledLabel(text, "cardTitle", parent);
+  label->setToolTip(glossaryTip(term));
+  return label;
+}
+
+/// Where a number comes from: a light, a word, and what the word means.
+QLabel* sourceTag(const QString& text, Source source, bool doubtful, QWidget* parent) {
+  QLabel* tag = makeTag(text, lightOf(source, doubtful), parent);
+  tag->setToolTip(glossaryTip(source == Source::data    ? "measured"
+                              : source == Source::prior ? "from_shape"
+                                                        : "not_known"));
+  return tag;
+}
+
 /// What a row of parts needs to stand side by side.
 int widthOf(const std::vector<QWidget*>& parts, int spacing) {
   int needed = 0;
@@ -74,7 +91,7 @@ void ResultPanel::showNothing() {
 
 void ResultPanel::showWorking(const QString& fileName) {
   again_ = [this, fileName] { showWorking(fileName); };
-  restart(tr("Weighing the tool …"), tr("Heft reads the motion and the forces in %1.").arg(fileName))->addStretch(1);
+  restart(tr("Estimating …"), tr("From the motion and the forces in %1.").arg(fileName))->addStretch(1);
   setMainButton({});
   setSecondButton({});
 }
@@ -117,8 +134,8 @@ void ResultPanel::showResult(const ResultText& result) {
     if (!calm.empty()) addFindings(column, calm);
   } else if (!calm.empty()) {
     column->addWidget(wrappedLabel(
-        calm.size() == 1 ? tr("1 more note in Details.") : tr("%1 more notes under Details.").arg(calm.size()),
-        "caption", content));
+        calm.size() == 1 ? tr("1 more note in Details.") : tr("%1 more notes in Details.").arg(calm.size()), "caption",
+        content));
   }
   addKnown(column, result.known);
   if (further_ && !result.withheld) further_(column, content);
@@ -139,7 +156,7 @@ void ResultPanel::addMass(QVBoxLayout* column, const ResultText& result) {
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
   row->addWidget(new LightIcon(lightOf(result.mass.source, result.doubtful || result.mass.doubted), 22, content));
-  row->addWidget(styledLabel(tr("Mass"), "cardTitle", content));
+  row->addWidget(termLabel(tr("Mass"), "mass", content));
   row->addStretch(1);
   QLabel* value = styledLabel(result.mass.value, "bigNumber", content);
   value->setProperty("role", "mass");
@@ -148,8 +165,8 @@ void ResultPanel::addMass(QVBoxLayout* column, const ResultText& result) {
   card.layout->addLayout(row);
   if (!result.withheld) card.layout->addWidget(new MassScaleWidget(result.massScale, result.mass.source, content));
   auto* foot = new QHBoxLayout;
-  foot->addWidget(makeTag(tagText(result.mass.source, result.doubtful || result.mass.doubted),
-                          lightOf(result.mass.source, result.doubtful || result.mass.doubted), content),
+  foot->addWidget(sourceTag(tagText(result.mass.source, result.doubtful || result.mass.doubted), result.mass.source,
+                            result.doubtful || result.mass.doubted, content),
                   0, Qt::AlignTop);
   if (result.massNote.isEmpty()) {
     foot->addStretch(1);
@@ -168,13 +185,12 @@ void ResultPanel::addCentre(QVBoxLayout* column, const ResultText& result) {
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
   row->addWidget(new LightIcon(jointLight(result.com, result.doubtful || anyDoubted(result.com)), 22, content));
-  row->addWidget(styledLabel(tr("Centre of mass"), "cardTitle", content));
+  row->addWidget(termLabel(tr("Centre of mass"), "centre_of_mass", content));
   row->addStretch(1);
   const Source joint = jointSource(result.com);
   const bool same =
       std::all_of(result.com.begin(), result.com.end(), [&](const NumberText& n) { return n.source == joint; });
-  if (same)
-    row->addWidget(makeTag(shortTagText(joint), lightOf(joint, result.doubtful || anyDoubted(result.com)), content));
+  if (same) row->addWidget(sourceTag(shortTagText(joint), joint, result.doubtful || anyDoubted(result.com), content));
   card.layout->addLayout(row);
 
   // Side by side, or below each other where the numbers are long.
@@ -207,8 +223,8 @@ void ResultPanel::addCentre(QVBoxLayout* column, const ResultText& result) {
   if (!same) {
     auto* tags = new QHBoxLayout;
     for (const NumberText& n : result.com) {
-      tags->addWidget(makeTag(n.name + QStringLiteral(": ") + shortTagText(n.source),
-                              lightOf(n.source, result.doubtful || n.doubted), content));
+      tags->addWidget(sourceTag(n.name + QStringLiteral(": ") + shortTagText(n.source), n.source,
+                                result.doubtful || n.doubted, content));
     }
     tags->addStretch(1);
     card.layout->addLayout(tags);
@@ -225,7 +241,7 @@ void ResultPanel::addInertia(QVBoxLayout* column, const ResultText& result) {
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
   row->addWidget(new LightIcon(jointLight(result.inertia, result.doubtful || anyDoubted(result.inertia)), 22, content));
-  row->addWidget(styledLabel(tr("Inertia"), "cardTitle", content));
+  row->addWidget(termLabel(tr("Inertia"), "inertia", content));
   QLabel* unit = wrappedLabel(tr("about the centre, %1").arg(result.inertiaUnit), "caption", content);
   unit->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(unit, 1);
@@ -244,7 +260,7 @@ void ResultPanel::addInertia(QVBoxLayout* column, const ResultText& result) {
     QLabel* name = styledLabel(n.name, "rowName", line);
     name->setMinimumWidth(40);
     lineRow->addWidget(name);
-    lineRow->addWidget(makeTag(shortTagText(n.source), lightOf(n.source, result.doubtful || n.doubted), line));
+    lineRow->addWidget(sourceTag(shortTagText(n.source), n.source, result.doubtful || n.doubted, line));
     lineRow->addStretch(1);
     QLabel* value = styledLabel(n.value, "smallNumber", line);
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -300,7 +316,7 @@ void ResultPanel::addFindings(QVBoxLayout* column, const std::vector<FindingText
   if (leadTo(Leads::realityCheck)) {
     addButton(tr("Show the cause"), "cause", &ResultPanel::causeWanted);
   } else if (leadTo(Leads::cause)) {
-    addButton(tr("Look for the cause"), "cause", &ResultPanel::causeWanted);
+    addButton(tr("Find the cause"), "cause", &ResultPanel::causeWanted);
   }
   column->addWidget(card.frame);
 }
@@ -313,7 +329,7 @@ void ResultPanel::addAdvice(QVBoxLayout* column, const QString& advice) {
   row->addWidget(new IconLabel("bulb", 20, content), 0, Qt::AlignVCenter);
   auto* words = new QVBoxLayout;
   words->setSpacing(2);
-  words->addWidget(styledLabel(tr("What would make it better"), "sectionTitle", content));
+  words->addWidget(styledLabel(tr("How to improve it"), "sectionTitle", content));
   words->addWidget(wrappedLabel(advice, "advice", content));
   row->addLayout(words, 1);
   auto* record = new QPushButton(tr("Record this motion"), content);
@@ -352,11 +368,11 @@ void ResultPanel::addKnown(QVBoxLayout* column, const std::vector<DetailText>& k
   QWidget* content = this->content();
   if (!known.empty()) {
     column->addSpacing(4);
-    column->addWidget(styledLabel(tr("Compared with what you know"), "sectionTitle", content));
+    column->addWidget(styledLabel(tr("Compared with your reference values"), "sectionTitle", content));
     addDetailRows(column, known, content);
   }
   auto* enter =
-      new QPushButton(known.empty() ? tr("Compare with a scale or CAD …") : tr("Change what you know …"), content);
+      new QPushButton(known.empty() ? tr("Compare with a scale or CAD …") : tr("Change reference values …"), content);
   enter->setObjectName("linkButton");
   enter->setProperty("role", "known");
   connect(enter, &QPushButton::clicked, this, &ResultPanel::knownWanted);
@@ -371,7 +387,7 @@ void ResultPanel::addDetails(QVBoxLayout* column, const std::vector<DetailText>&
   addDetailRows(column, details, content());
   auto* copy = new QPushButton(tr("Copy the details"), content());
   copy->setObjectName("copyDetails");
-  copy->setToolTip(tr("As a table for a spreadsheet or a message"));
+  copy->setToolTip(tr("As a table, for a spreadsheet or a message"));
   connect(copy, &QPushButton::clicked, this, [details] {
     QStringList lines;
     for (const DetailText& detail : details)

@@ -61,13 +61,13 @@ StepState ResultStep::state() const {
   if (!workspace().opened()) return {P::later, Light::measured, tr("needs a recording")};
   const auto report = workspace().report();
   if (!report) {
-    return workspace().busy() ? StepState{P::later, Light::measured, tr("being weighed …")}
+    return workspace().busy() ? StepState{P::later, Light::measured, tr("estimating …")}
                               : StepState{P::ready, Light::measured, tr("no estimate yet")};
   }
   const ResultText text = describeResult(*report, known(), openQuestion(workspace()));
   const QString mass = massText(report->payload.mass, 3);
   if (text.withheld) return {P::done, Light::look, tr("no weight yet")};
-  if (text.doubted) return {P::done, Light::look, tr("%1, check first").arg(mass)};
+  if (text.doubted) return {P::done, Light::look, tr("%1, see warnings").arg(mass)};
   if (report->identifiability.mass == Source::none) return {P::done, Light::unknown, tr("mass not known")};
   const bool all = jointSource(text.com) == Source::data && jointSource(text.inertia) == Source::data &&
                    report->identifiability.mass == Source::data;

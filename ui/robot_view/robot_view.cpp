@@ -119,11 +119,11 @@ void RobotView::buildTools() {
   auto* fit = new IconButton("home", tr("Show the whole arm (F)"), tools_);
   fit->setObjectName("fitButton");
   connect(fit, &QToolButton::clicked, this, [this] { usePreset(Preset::overview); });
-  auto* tool = new IconButton("tool", tr("Go close to the tool (T)"), tools_);
+  auto* tool = new IconButton("tool", tr("Zoom to the tool (T)"), tools_);
   tool->setObjectName("toolButton");
   connect(tool, &QToolButton::clicked, this, [this] { usePreset(Preset::tool); });
 
-  auto* views = new IconButton("view", tr("Look from another side"), tools_);
+  auto* views = new IconButton("view", tr("View direction"), tools_);
   views->setPopupMode(QToolButton::InstantPopup);
   auto* viewMenu = new QMenu(views);
   const std::pair<QString, Preset> presets[] = {
@@ -154,7 +154,7 @@ void RobotView::buildTools() {
   addToggle(tr("Labels"), &labelsShown_);
   eye->setMenu(shown);
 
-  auto* alone = new IconButton("fit", tr("3D view alone, or with the rest again"), tools_);
+  auto* alone = new IconButton("fit", tr("Maximise the 3D view, or restore it (Shift+F11)"), tools_);
   alone->setObjectName("aloneButton");  // The window listens to it.
   auto* picture = new IconButton("camera", tr("Save a picture of this view"), tools_);
   connect(picture, &QToolButton::clicked, this, &RobotView::pictureWanted);
@@ -616,12 +616,20 @@ void RobotView::usePreset(Preset preset) {
 
 void RobotView::renderNow() { viewport_->renderNow(); }
 
+QImage RobotView::picture() {
+  renderNow();
+  tools_->hide();
+  QImage out = grab().toImage();
+  tools_->show();
+  return out;
+}
+
 double RobotView::lastFrameMilliseconds() const { return viewport_->lastFrameMilliseconds(); }
 
 void RobotView::updateNote() {
   QString text = stepNote_;
   if (text.isEmpty() && track_ && !track_->hasJoints()) {
-    text = posed_                    ? tr("No joint angles recorded: a Panda is drawn that reaches these poses")
+    text = posed_                    ? tr("No joint angles recorded: a Panda that reaches these poses is shown")
            : track_->positionKnown() ? tr("No robot in this recording: only the sensor is shown")
                                      : tr("No position in this recording: the sensor only rotates");
   }

@@ -1,5 +1,6 @@
 #pragma once
 // The 3D half of the window: arm, tool and path at one instant of the recording, with labels and view tools.
+#include <QImage>
 #include <QPointF>
 #include <QPointer>
 #include <QWidget>
@@ -114,6 +115,8 @@ class RobotView : public QWidget {
 
   /// Renders the present state at once and smoothly, for pictures.
   void renderNow();
+  /// The present state as a picture to keep: without the buttons that only work on the screen.
+  QImage picture();
   double lastFrameMilliseconds() const;
 
  signals:

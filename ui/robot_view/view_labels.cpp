@@ -35,7 +35,7 @@ void RobotView::updateLabels() {
     if (!kept_) add(anchors.box, tr("equal-inertia box"));
     add(anchors.gravity, tr("gravity"));
     if (!ghostTitle_.isEmpty()) add(ghostEnd_, ghostTitle_, ghostNote_);
-    if (editing_) add(anchors.sensor, tr("sensor, tool side"), tr("the shape sits on this face"));
+    if (editing_) add(anchors.sensor, tr("sensor, tool side"), tr("the shape is mounted here"));
   }
   if (gap_) add(0.5 * (gap_->onFirst + gap_->onSecond), gapTitle(*gap_), gapNote(*gap_));
   for (const CauseMark& cause : causes_)

@@ -114,18 +114,17 @@ void MeshForm::showMesh(const LoadedMesh& mesh) {
   const double longest = mesh.longest * mesh.body.unit;
   const QString size =
       longest < 1.0 ? tr("%1 cm").arg(numberText(100 * longest, 1)) : tr("%1 m").arg(numberText(longest, 2));
-  column_->addWidget(wrappedLabel(
-      mesh.unitGuessed ? tr("The longest side is %1 in the file. Heft guessed %2, because that makes a tool of %3.")
-                             .arg(numberText(mesh.longest, mesh.longest < 10     ? 3
-                                                           : mesh.longest < 1000 ? 1
-                                                                                 : 0),
-                                  unitName(index), size)
-                       : tr("The longest side is then %1.").arg(size),
-      "caption", this));
+  column_->addWidget(wrappedLabel(mesh.unitGuessed ? tr("The longest side is %1 in the file. Assuming %2, that is %3.")
+                                                         .arg(numberText(mesh.longest, mesh.longest < 10     ? 3
+                                                                                       : mesh.longest < 1000 ? 1
+                                                                                                             : 0),
+                                                              unitName(index), size)
+                                                   : tr("The longest side is then %1.").arg(size),
+                                  "caption", this));
   if (mesh.unusable) {
     addProblem(QString::fromStdString(mesh.unusable->message), {}, true);
     if (!mesh.body.wall) {
-      auto* shell = new QPushButton(tr("Take it as a thin shell of 2 mm"), this);
+      auto* shell = new QPushButton(tr("Treat it as a thin shell of 2 mm"), this);
       shell->setObjectName("meshShell");
       connect(shell, &QPushButton::clicked, this, &MeshForm::shellWanted);
       column_->addWidget(shell);

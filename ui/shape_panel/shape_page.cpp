@@ -97,11 +97,11 @@ void ShapePanel::rebuild() {
     page()->setMainButton(
         tr("Use this shape"), [this] { parts().goTo(Step::result); }, "check");
   } else {
-    page()->setMainButton(choice().answer == Answer::unknown ? tr("Go on without a shape") : tr("I don’t know, go on"),
-                          [this] {
-                            pickUnknown();
-                            parts().goTo(Step::result);
-                          });
+    page()->setMainButton(
+        choice().answer == Answer::unknown ? tr("Continue without a shape") : tr("I don’t know, continue"), [this] {
+          pickUnknown();
+          parts().goTo(Step::result);
+        });
   }
   page()->setScrollPosition(position);
   if (!focusName.isEmpty())
@@ -150,7 +150,7 @@ void ShapePanel::addBodies(QVBoxLayout* column) {
   if (now == ToolPicture::mesh) {
     meshForm_ = new MeshForm(content);
     if (pendingMesh_ && choice().answer == Answer::given)
-      column->addWidget(wrappedLabel(tr("Until a file is chosen, the result goes by: %1.").arg(shapeLine(choice())),
+      column->addWidget(wrappedLabel(tr("Until a file is chosen, the result uses: %1.").arg(shapeLine(choice())),
                                      "caption", content));
     connect(meshForm_, &MeshForm::chooseWanted, this, &ShapePanel::chooseMesh);
     connect(meshForm_, &MeshForm::unitPicked, this, [this](double unit) {
@@ -188,7 +188,7 @@ void ShapePanel::addBodies(QVBoxLayout* column) {
     addForm(tr("Body"), 0);
     addForm(tr("Fingers"), 1);
   } else if (now == ToolPicture::several) {
-    column->addWidget(styledLabel(tr("Parts, joined to each other"), "sectionTitle", content));
+    column->addWidget(styledLabel(tr("Parts joined to each other"), "sectionTitle", content));
     partsList_ = new PartsList(content);
     connect(partsList_, &PartsList::picked, this, &ShapePanel::select);
     connect(partsList_, &PartsList::removeWanted, this, [this](int index) {
@@ -196,7 +196,7 @@ void ShapePanel::addBodies(QVBoxLayout* column) {
       if (next.bodies.size() < 2) return;
       next.bodies.erase(next.bodies.begin() + index);
       if (selected_ > 0 && selected_ >= index) --selected_;
-      change(next, tr("take a part away"), 0);
+      change(next, tr("remove a part"), 0);
     });
     connect(partsList_, &PartsList::addWanted, this,
             [this](BodyKind kind) { addPart(choice().shape, nextBody(kind, choice().shape)); });
@@ -257,8 +257,8 @@ void ShapePanel::addSubstance(QVBoxLayout* column) {
   connect(substance_, &SubstanceForm::materialChanged, this, &ShapePanel::setMaterial);
   column->addWidget(substance_);
   if (!several) return;
-  column->addWidget(styledLabel(tr("Weight of everything, from a scale"), "caption", content));
-  wholeWeight_ = new WeightField(tr("Weight of everything"), "weight", tr("not weighed"), content);
+  column->addWidget(styledLabel(tr("Total weight, from a scale"), "caption", content));
+  wholeWeight_ = new WeightField(tr("Total weight"), "weight", tr("not weighed"), content);
   QLabel* error = makeFieldError(content);
   connect(wholeWeight_, &WeightField::refused, error, [error](const QString& why) { showFieldError(error, why); });
   connect(wholeWeight_, &WeightField::changed, this, [this, error](std::optional<double> mass) {
@@ -343,9 +343,8 @@ void ShapePanel::showValues() {
       return numberText(value, std::abs(value - std::round(value)) < 0.05 ? 0 : 1);
     };
     QString where =
-        usual
-            ? tr("Position: centred on the sensor, not tilted")
-            : tr("Where it sits: %1, %2, %3 mm").arg(number(1e3 * at.x()), number(1e3 * at.y()), number(1e3 * at.z()));
+        usual ? tr("Position: centred on the sensor, not tilted")
+              : tr("Position: %1, %2, %3 mm").arg(number(1e3 * at.x()), number(1e3 * at.y()), number(1e3 * at.z()));
     if (rpy.norm() >= 1e-3)
       where += tr(", tilted by %1°").arg(number(vectorFromRotation(moved.X_SB.linear()).norm() / kRadPerDegree));
     placeButton_->setText((placeShown_ ? QString::fromUtf8("▾  ") : QString::fromUtf8("▸  ")) + where);

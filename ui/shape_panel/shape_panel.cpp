@@ -77,7 +77,7 @@ StepState ShapePanel::state() const {
     case Answer::given:
       break;
   }
-  if (said("shape_left_out")) return {P::done, Light::look, tr("does not fit, left out")};
+  if (said("shape_left_out")) return {P::done, Light::look, tr("contradicts the data, left out")};
   const bool fits = shapeProblem(now.shape).isEmpty() && !said("shape_contradicts_data");
   return {P::done, fits ? Light::measured : Light::look, shapeLine(now)};
 }
@@ -237,9 +237,10 @@ void ShapePanel::typeLength(int handle, const QString& text) {
   if (!here_ || measure < 0 || body >= static_cast<int>(choice().shape.bodies.size())) return;
   const auto millimetres = parseMeasure(text, QStringLiteral("mm"));
   if (!millimetres || *millimetres < kLeastLength || *millimetres > kMostLength) {
-    return parts().say(
-        Severity::warning,
-        tr("\"%1\" is no length here: a number from %2 to %3 mm is.").arg(text).arg(kLeastLength).arg(kMostLength));
+    return parts().say(Severity::warning, tr("“%1” is not a valid length. Enter a number from %2 to %3 mm.")
+                                              .arg(text)
+                                              .arg(kLeastLength)
+                                              .arg(kMostLength));
   }
   editKey_ = workspace().newMergeKey();
   setLength(body, measure, 1e-3 * *millimetres);

@@ -48,7 +48,7 @@ Result<ShapeBody> measured(BodyKind kind, const std::vector<double>& lengths) {
   if (lengths.size() != count) {
     QStringList names;
     for (const Measure& measure : measuresOf(body)) names << lengthName(measure.length);
-    return wrong(ShapeText::tr("%1 needs %2 in mm with x between them.")
+    return wrong(ShapeText::tr("%1 needs %2 in mm, separated by x.")
                      .arg(pictureName(*toolPictureFromString(toString(kind))), names.join(", ")));
   }
   // Twice: a hole cannot be set before its tube is wide enough.
@@ -78,7 +78,7 @@ QString pictureName(ToolPicture picture) {
     case ToolPicture::gripper:
       return ShapeText::tr("Gripper");
     case ToolPicture::several:
-      return ShapeText::tr("Several");
+      return ShapeText::tr("Assembly");
     case ToolPicture::mesh:
       return ShapeText::tr("CAD mesh");
   }
@@ -98,9 +98,9 @@ QString lengthName(Length length) {
     case Length::diameter:
       return ShapeText::tr("diameter");
     case Length::outerDiameter:
-      return ShapeText::tr("outside");
+      return ShapeText::tr("outer");
     case Length::innerDiameter:
-      return ShapeText::tr("hole");
+      return ShapeText::tr("inner");
     case Length::wholeLength:
       return ShapeText::tr("length");
   }
@@ -208,7 +208,8 @@ QString shapeProblem(const Shape& shape) {
   QString heavy;
   for (const ShapeBody& body : shape.bodies) {
     if (body.kind == BodyKind::tube && body.dims.size() == 3 && body.dims[1] >= body.dims[0])
-      return ShapeText::tr("The hole must be smaller than the outside, %1.").arg(millimetres(2 * body.dims[0]));
+      return ShapeText::tr("The inner diameter must be smaller than the outer one, %1.")
+          .arg(millimetres(2 * body.dims[0]));
     if (body.wall && body.kind != BodyKind::mesh) {
       const auto limit = wallLimit(body);
       if (limit && *body.wall >= *limit)
@@ -224,10 +225,10 @@ QString shapeProblem(const Shape& shape) {
     }
   }
   if (shape.totalMass && known > 1.02 * *shape.totalMass) {
-    return heavy.isEmpty() ? ShapeText::tr("The parts weigh %1 together, more than the whole tool with %2.")
+    return heavy.isEmpty() ? ShapeText::tr("The parts together weigh %1, more than the whole tool (%2).")
                                  .arg(kilograms(known), kilograms(*shape.totalMass))
                            : ShapeText::tr(
-                                 "In %1 it would weigh %2, more than the scale shows (%3): make it hollow, or take "
+                                 "In %1 it would weigh %2, more than the scale shows (%3): make it hollow, or choose "
                                  "another material.")
                                  .arg(heavy, kilograms(known), kilograms(*shape.totalMass));
   }
@@ -267,7 +268,7 @@ Result<ShapeChoice> shapeFromWords(const QStringList& words, const ShapeChoice& 
          ++i, ++b) {
       const auto lengths = lengthsFrom(words[i]);
       if (!lengths || b >= next.shape.bodies.size())
-        return wrong(ShapeText::tr("“%1” are no sizes that fit: lengths in mm with x between them.").arg(words[i]));
+        return wrong(ShapeText::tr("“%1” is not a valid size: give lengths in mm, separated by x.").arg(words[i]));
       auto body = measured(next.shape.bodies[b].kind, *lengths);
       if (!body) return body.error();
       if (b > 0) {

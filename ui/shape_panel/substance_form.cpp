@@ -14,6 +14,7 @@
 #include "ui/shape_panel/shape_text.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/basics.h"
+#include "ui/widgets/choice_box.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/stepper.h"
 
@@ -29,10 +30,10 @@ WeightField::WeightField(const QString& name, const QString& id, const QString& 
   field_->setPlaceholderText(placeholder);
   dimPlaceholder(field_);
   field_->setAccessibleName(name);
-  field_->setToolTip(tr("What the scale shows for everything behind the sensor; may be left open."));
+  field_->setToolTip(tr("What the scale shows for everything behind the sensor; optional."));
   field_->setMinimumSize(60, 40);
   field_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  unit_ = new QComboBox(this);
+  unit_ = new ChoiceBox(this);
   unit_->setObjectName(id + "Unit");
   unit_->addItems({QStringLiteral("kg"), QStringLiteral("g")});
   unit_->setAccessibleName(tr("Unit of the weight"));
@@ -114,13 +115,13 @@ SubstanceForm::SubstanceForm(const ShapeBody& body, bool part, QWidget* parent) 
   const QString weightName = part ? tr("Weight of this part") : tr("Weight from a scale, if known");
   grid->addWidget(styledLabel(weightName, "caption", this), 0, 0);
   weight_ =
-      new WeightField(weightName, part ? "partWeight" : "weight", part ? tr("found out") : tr("not weighed"), this);
+      new WeightField(weightName, part ? "partWeight" : "weight", part ? tr("estimated") : tr("not weighed"), this);
   grid->addWidget(weight_, 1, 0);
   connect(weight_, &WeightField::changed, this, &SubstanceForm::weightChanged);
 
   const bool mayBeHollow = body.kind != BodyKind::tube;  // That one is hollow by itself.
   if (mayBeHollow) {
-    grid->addWidget(styledLabel(tr("Inside"), "caption", this), 0, 1);
+    grid->addWidget(styledLabel(tr("Interior"), "caption", this), 0, 1);
     inside_ = new Segments({tr("Solid"), body.kind == BodyKind::mesh ? tr("Thin shell") : tr("Hollow")},
                            {"insideSolid", "insideHollow"}, this);
     grid->addWidget(inside_, 1, 1);
@@ -139,10 +140,10 @@ SubstanceForm::SubstanceForm(const ShapeBody& body, bool part, QWidget* parent) 
   }
 
   grid->addWidget(styledLabel(tr("Material, if known"), "caption", this), mayBeHollow ? 2 : 0, mayBeHollow ? 0 : 1);
-  material_ = new QComboBox(this);
+  material_ = new ChoiceBox(this);
   material_->setObjectName("material");
   material_->setAccessibleName(tr("Material"));
-  material_->setToolTip(tr("Only if the whole tool is made of it; may be left open."));
+  material_->setToolTip(tr("Only if the whole tool is made of it; optional."));
   material_->setMinimumHeight(36);
   material_->addItem(tr("not known"));
   for (const Material& material : materials()) material_->addItem(material.name, material.density);
@@ -175,7 +176,7 @@ void SubstanceForm::showSubstance(const ShapeBody& body, std::optional<double> w
   const auto volume = body.density ? materialVolume(body) : std::nullopt;
   note_->setVisible(volume.has_value());
   if (volume)
-    note_->setText(tr("In %1 this weighs %2.").arg(material_->currentText(), kilograms(*volume * *body.density)));
+    note_->setText(tr("In %1, this would weigh %2.").arg(material_->currentText(), kilograms(*volume * *body.density)));
 }
 
 void SubstanceForm::setWeightProblem(const QString& sentence) {

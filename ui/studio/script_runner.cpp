@@ -214,7 +214,7 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
       const auto it = std::find_if(std::begin(known), std::end(known),
                                    [&](const auto& each) { return word == QLatin1String(std::get<0>(each)); });
       if (it == std::end(known))
-        return wrong(tr("%1 is no unit; units expects kg, g, mm, inch, Nm, Nmm, degrees or radians.").arg(word));
+        return wrong(tr("%1 is not a unit; units expects kg, g, mm, inch, Nm, Nmm, degrees or radians.").arg(word));
       choice.*std::get<1>(*it) = std::get<2>(*it);
     }
     return studio_->setUnits(choice), Result<bool>(true);

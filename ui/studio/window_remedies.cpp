@@ -12,17 +12,17 @@ struct Words {
 QString words(Remedy way, const QString& subject) {
   switch (way) {
     case Remedy::showContents:
-      return Words::tr("Tools, “Where the numbers come from”, shows what there is.");
+      return Words::tr("Tools, “Columns and units”, shows what there is.");
     case Remedy::chooseSource:
-      return Words::tr("If so, choose it under Tools, “Where the numbers come from”.");
+      return Words::tr("If so, choose it under Tools, “Columns and units”.");
     case Remedy::takeSource:
-      return Words::tr("It can be chosen nevertheless.");
+      return Words::tr("You can still choose it.");
     case Remedy::addFile:
       return Words::tr("Choose its columns, or add the file that has it.");
     case Remedy::chooseTime:
-      return Words::tr("Choose which column is the time, under Tools, “Where the numbers come from”.");
+      return Words::tr("Choose the time column under Tools, “Columns and units”.");
     case Remedy::stateOffset:
-      return Words::tr("If you know by how much, enter it under Tools, “Where the numbers come from”.");
+      return Words::tr("If you know the offset, enter it under Tools, “Columns and units”.");
     case Remedy::stateRate:
       return Words::tr("If the file has no clock, state its rate, rate_hz, in the map file beside it.");
     case Remedy::nameRobot:
@@ -40,8 +40,8 @@ QString words(Remedy way, const QString& subject) {
       return Words::tr("Correct how the sensor is turned under Tools, “Robot and sensor”.");
     case Remedy::sayStandingPoses:
       return Words::tr(
-          "If the rows are standing poses, set this under Tools, “Robot and sensor”; for another unit, “Where the "
-          "numbers come from”.");
+          "If the rows are standing poses, set this under Tools, “Robot and sensor”; for another unit, see “Columns "
+          "and units”.");
     case Remedy::keepEndsOut:
       return Words::tr("To keep them out, paint them as ignored in Mark.");
     case Remedy::giveCentre:

@@ -55,7 +55,7 @@ QString markWord(MarkLabel label) {
 MarksBar::MarksBar(TimeAxis* axis, QWidget* parent) : QWidget(parent), axis_(axis) {
   setObjectName("marksBar");
   setAccessibleName(tr("Marks"));
-  setAccessibleDescription(tr("Which segments of the recording touched nothing"));
+  setAccessibleDescription(tr("Segments of the recording: free, contact or ignored"));
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setFixedHeight(sizeHint().height());

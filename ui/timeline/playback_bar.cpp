@@ -97,7 +97,7 @@ void PlaybackBar::buildMenu() {
   }
   menu->addAction(tr("One step back"), this, [this] { playback_->setTime(playback_->time() - kFrame); })
       ->setShortcut(QKeySequence(Qt::Key_Comma));
-  menu->addAction(tr("One step on"), this, [this] { playback_->setTime(playback_->time() + kFrame); })
+  menu->addAction(tr("One step forward"), this, [this] { playback_->setTime(playback_->time() + kFrame); })
       ->setShortcut(QKeySequence(Qt::Key_Period));
   speed_->setMenu(menu);
 }

@@ -18,6 +18,8 @@
 namespace heft {
 namespace {
 
+constexpr int kLeastWidth = 384;  ///< [px] What the widest rows need in German; test_gl asks for it.
+
 /// What scrolls: as high as its text needs at the present width, which a layout alone does not ask for. Parts that were
 /// just added are shown and styled before they are measured; Qt would do so only after a first, wrong picture.
 class PanelContent : public QWidget {
@@ -128,7 +130,7 @@ class FootFitter : public QObject {
 PanelPage::PanelPage(QWidget* parent) : QWidget(parent) {
   setObjectName("panel");
   setAttribute(Qt::WA_StyledBackground);
-  setMinimumWidth(360);
+  setMinimumWidth(kLeastWidth);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(1, 0, 0, 0);
   column->setSpacing(0);

@@ -17,7 +17,9 @@
 namespace heft {
 namespace {
 
-constexpr int kPage = 10;  ///< Steps of Page Up and Down
+constexpr int kPage = 10;          ///< Steps of Page Up and Down
+constexpr int kUnitGap = 3;        ///< [px] Between number and unit.
+constexpr int kFieldMargins = 10;  ///< [px] Of a field about its text, and the frame.
 
 QString shortNumber(double value, int decimals) {
   QLocale locale;
@@ -81,7 +83,7 @@ Stepper::Stepper(const QString& name, const QString& unit, const Range& range, Q
   unitLabel_->setFixedWidth(unit.size() > 1 ? 26 : 14);
   row->addWidget(less_);
   row->addWidget(field_, 1);
-  row->addSpacing(3);
+  row->addSpacing(kUnitGap);
   row->addWidget(unitLabel_);
   row->addWidget(more_);
   connect(less_, &QToolButton::pressed, this, &Stepper::begun);
@@ -101,9 +103,27 @@ void Stepper::setValue(double value) {
   showValue();
 }
 
+QSize Stepper::minimumSizeHint() const {
+  QSize least = QFrame::minimumSizeHint();
+  if (!unitLabel_->isHidden()) least.rwidth() -= unitLabel_->width() + kUnitGap;
+  return least;
+}
+
+void Stepper::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  fitUnit();
+}
+
+void Stepper::fitUnit() {
+  const int number = field_->fontMetrics().horizontalAdvance(field_->text()) + kFieldMargins;
+  const int rest = less_->width() + more_->width() + unitLabel_->width() + kUnitGap;
+  unitLabel_->setVisible(width() >= number + rest);
+}
+
 void Stepper::showValue() {
   field_->setText(shortNumber(value_, range_.decimals));
   field_->setModified(false);
+  fitUnit();
 }
 
 void Stepper::step(double steps) {
@@ -128,7 +148,7 @@ void Stepper::take() {
         tr("between %1 and %2 %3")
             .arg(shortNumber(range_.least, range_.decimals), shortNumber(range_.most, range_.decimals), unit_);
     return setProblem(typed ? tr("%1 must be %2.").arg(name_, range)
-                            : tr("“%1” is no number: %2 must be %3.").arg(field_->text(), name_, range));
+                            : tr("“%1” is not a number: %2 must be %3.").arg(field_->text(), name_, range));
   }
   emit begun();
   mark("wrong", false);

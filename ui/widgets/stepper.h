@@ -27,6 +27,8 @@ class Stepper : public QFrame {
   void setProblem(const QString& sentence);
   /// Drawn as being dragged or pointed at elsewhere.
   void setStrong(bool strong);
+  /// The unit gives way where there is room for the number only.
+  QSize minimumSizeHint() const override;
 
  signals:
   /// The user begins to change it: by holding a button or a key, or by typing. Changes until the next one are one edit.
@@ -36,12 +38,14 @@ class Stepper : public QFrame {
   void refused(const QString& sentence);
 
  protected:
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void step(double steps);
   void take();
   void showValue();
+  void fitUnit();
   void mark(const char* property, bool on);
 
   QString name_, unit_;

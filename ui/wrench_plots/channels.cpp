@@ -152,7 +152,7 @@ std::vector<Channel> channelsOf(const Recording& recording, bool poseFromJoints)
       add(QStringLiteral("p%1").arg(axis), axis, ChannelWords::tr("Sensor position"), length);
   if (turned)
     for (const char* turn : kAngleNames) add(turn, turn, ChannelWords::tr("Sensor orientation"), angle);
-  const QString sizes = ChannelWords::tr("Speeds and sizes");
+  const QString sizes = ChannelWords::tr("Speeds and magnitudes");
   if (position || recording.twist.rows() > 0) add("speed", QStringLiteral("|v|"), sizes, length + QStringLiteral("/s"));
   if (turned || recording.twist.rows() > 0) add("turning", QStringLiteral("|ω|"), sizes, rate);
   if (recording.wrench.rows() > 0) {

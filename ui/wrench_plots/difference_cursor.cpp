@@ -11,21 +11,59 @@
 
 namespace heft {
 
+namespace {
+
+constexpr std::size_t kMostSamples = 2000;  ///< Of a long segment every n-th, since this is drawn with every move.
+
+/// Between two instants: the mean of what was measured, and the root mean square of the residual.
+struct Between {
+  double mean = std::nan(""), residual = std::nan("");
+};
+Between between(const WrenchTraces& traces, int channel, const std::vector<double>& times) {
+  const std::size_t step = times.size() / kMostSamples + 1;
+  double sum = 0.0, squares = 0.0;
+  int measured = 0, compared = 0;
+  for (std::size_t k = 0; k < times.size(); k += step) {
+    const double value = traces.valueAt(WrenchTraces::Kind::measured, channel, times[k]);
+    const double left = traces.valueAt(WrenchTraces::Kind::difference, channel, times[k]);
+    if (std::isfinite(value)) sum += value, ++measured;
+    if (std::isfinite(left)) squares += left * left, ++compared;
+  }
+  Between out;
+  if (measured > 0) out.mean = sum / measured;
+  if (compared > 0) out.residual = std::sqrt(squares / compared);
+  return out;
+}
+
+QString orNothing(double value, int decimals) {
+  return std::isfinite(value) ? numberText(value, decimals) : QStringLiteral("–");
+}
+
+}  // namespace
+
 std::vector<QStringList> cursorTable(const WrenchTraces& traces, double first, double second) {
   std::vector<QStringList> rows;
-  const auto row = [&](const QString& name, double a, double b, int decimals) {
-    rows.push_back({name, numberText(a, decimals), numberText(b, decimals), numberText(b - a, decimals)});
-  };
-  rows.push_back({QString(), DifferenceCursor::tr("A"), DifferenceCursor::tr("B"), DifferenceCursor::tr("B − A")});
-  row(traces.poses() ? DifferenceCursor::tr("pose") : DifferenceCursor::tr("time [s]"), first, second,
-      traces.poses() ? 0 : 3);
+  const std::vector<double> times = traces.timesWithin(std::min(first, second), std::max(first, second));
+  rows.push_back({QString(), DifferenceCursor::tr("A"), DifferenceCursor::tr("B"), DifferenceCursor::tr("B − A"),
+                  DifferenceCursor::tr("mean"), DifferenceCursor::tr("RMS residual")});
+  const int timeDecimals = traces.poses() ? 0 : 3;
+  const QString rate = traces.poses() || first == second
+                           ? QString()
+                           : DifferenceCursor::tr("1/Δt %1 Hz").arg(numberText(1.0 / std::abs(second - first), 2));
+  rows.push_back({traces.poses() ? DifferenceCursor::tr("pose") : DifferenceCursor::tr("time [s]"),
+                  numberText(first, timeDecimals), numberText(second, timeDecimals),
+                  numberText(second - first, timeDecimals), QString(), rate});
   static constexpr const char* kNames[6] = {"Fx", "Fy", "Fz", "Tx", "Ty", "Tz"};
   const ShownUnit torque = torqueUnit();
   for (int c = 0; c < 6; ++c) {
     const ShownUnit unit = c < 3 ? ShownUnit{QStringLiteral("N"), 1.0, 0} : torque;
-    row(QStringLiteral("%1 [%2]").arg(QLatin1String(kNames[c]), unit.name),
-        unit.scale * traces.valueAt(WrenchTraces::Kind::measured, c, first),
-        unit.scale * traces.valueAt(WrenchTraces::Kind::measured, c, second), (c < 3 ? 2 : 3) + unit.decimals);
+    const int decimals = (c < 3 ? 2 : 3) + unit.decimals;
+    const double a = unit.scale * traces.valueAt(WrenchTraces::Kind::measured, c, first);
+    const double b = unit.scale * traces.valueAt(WrenchTraces::Kind::measured, c, second);
+    const Between all = between(traces, c, times);
+    rows.push_back({QStringLiteral("%1 [%2]").arg(QLatin1String(kNames[c]), unit.name), numberText(a, decimals),
+                    numberText(b, decimals), numberText(b - a, decimals), orNothing(unit.scale * all.mean, decimals),
+                    orNothing(unit.scale * all.residual, decimals + 1)});
   }
   return rows;
 }
@@ -98,8 +136,11 @@ void DifferenceCursor::paintEvent(QPaintEvent*) {
   if (first_ >= axis_->lower() && first_ <= axis_->upper()) flag(first, tr("A"));
 
   const std::vector<QStringList> rows = cursorTable(*traces_, first_, second_);
-  constexpr int kRow = 17, kName = 64, kCell = 62, kPad = 8;
-  const int wide = kName + 3 * kCell + 2 * kPad, high = kRow * static_cast<int>(rows.size()) + 2 * kPad;
+  constexpr int kRow = 17, kName = 64, kCell = 62, kLastCell = 92, kPad = 8;
+  constexpr double kMostOfWidth = 0.5;  // Where the plots are narrow, only the cursors.
+  const int small = kName + 3 * kCell + 2 * kPad, whole = small + kCell + kLastCell;
+  const bool all = whole < kMostOfWidth * width();
+  const int wide = all ? whole : small, columns = all ? 6 : 4, high = kRow * static_cast<int>(rows.size()) + 2 * kPad;
   // On the side where neither line stands.
   const double middle = (TimeAxis::kLeft + width()) / 2.0;
   const bool left = first > middle && second > middle;
@@ -111,10 +152,14 @@ void DifferenceCursor::paintEvent(QPaintEvent*) {
   painter.drawRoundedRect(box, 6, 6);
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const double top = box.top() + kPad + kRow * static_cast<double>(r);
-    for (int c = 0; c < 4; ++c) {
+    for (int c = 0; c < columns; ++c) {
       painter.setFont(uiFont(type::kCaption, r == 0 || c == 3 ? QFont::DemiBold : QFont::Normal));
       painter.setPen(c == 0 ? t.text2 : t.text);
-      const QRectF cell(box.left() + kPad + (c == 0 ? 0 : kName + (c - 1) * kCell), top, c == 0 ? kName : kCell, kRow);
+      const QRectF cell(box.left() + kPad + (c == 0 ? 0 : kName + (c - 1) * kCell), top,
+                        c == 0   ? kName
+                        : c == 5 ? kLastCell
+                                 : kCell,
+                        kRow);
       painter.drawText(cell, (c == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter, rows[r][c]);
     }
   }

@@ -10,7 +10,8 @@
 
 namespace heft {
 
-/// Rows of four texts: what, at the first cursor, at the second, the difference. Measured values.
+/// Rows of six texts: what, at the first cursor, at the second, the difference, the mean between them (all measured),
+/// and the root mean square of the residual between them.
 std::vector<QStringList> cursorTable(const WrenchTraces& traces, double first, double second);
 
 class DifferenceCursor : public QWidget {

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <limits>
 
+#include "ui/models/glossary.h"
 #include "ui/timeline/marks_bar.h"
 #include "ui/timeline/overview_strip.h"
 #include "ui/timeline/playback.h"
@@ -106,9 +107,10 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
     auto* entry = new LegendEntry(what, text, header);
     entry->setObjectName(QStringLiteral("legend%1").arg(static_cast<int>(what)));
     connect(entry, &QAbstractButton::toggled, plots_, [this, shown = what](bool on) { plots_->setShown(shown, on); });
+    if (what == Shown::difference) entry->setToolTip(glossaryTip("residual"));
     row->addWidget(entry);
     if (what == Shown::z) row->addSpacing(10);
-    if (what == Shown::difference) header->installEventFilter(new LegendFitter(entry, tr("difference"), header));
+    if (what == Shown::difference) header->installEventFilter(new LegendFitter(entry, tr("residual"), header));
   }
   if (auto* title = header->findChild<QLabel*>("plotTitle")) new TitleFitter(title, header);
   row->addStretch(1);
@@ -131,7 +133,7 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   auto* all = new IconButton("whole", tr("Show the whole recording (0)"), header);
   all->setObjectName("showAllButton");
   row->addWidget(all);
-  auto* alone = new IconButton("fit", tr("Plots alone, or with the rest again"), header);
+  auto* alone = new IconButton("fit", tr("Maximise the plots, or restore them (F11)"), header);
   alone->setObjectName("aloneButton");  // The window listens to it.
   row->addWidget(alone);
   auto* more = new IconButton("more", tr("Picture of the plots, table of the visible segment"), header);

@@ -351,7 +351,7 @@ WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
   p.canvas->plotLayout()->clear();
   p.canvas->plotLayout()->setRowSpacing(kLaneGap);
   p.canvas->addLayer("marks", p.canvas->layer("grid"), QCustomPlot::limBelow);
-  const QString titles[kLanes] = {tr("Force"), tr("difference"), tr("Torque"), tr("difference")};
+  const QString titles[kLanes] = {tr("Force"), tr("residual"), tr("Torque"), tr("residual")};
   const QString units[kLanes] = {tr("N"), QString(), torqueUnit().name, QString()};
   for (int lane = 0; lane < kLanes; ++lane) {
     auto* rect = new QCPAxisRect(p.canvas, true);

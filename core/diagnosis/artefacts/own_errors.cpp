@@ -43,14 +43,13 @@ bool ownErrors(const Hypothesis& hypothesis, const Found& found) {
 void sayOwnErrors(const std::vector<Found>& own, DiagnosisReport& out) {
   const auto most = std::ranges::max_element(own, {}, &Found::gain);
   if (most == own.end() || most->gain < kOverwhelming) return;
-  out.findings.push_back(
-      {Severity::info,
-       "too_small_to_name",
-       heft::say("\"{}\" would explain some of the misfit, but it is so small that our own smoothing of the motion may "
-                 "leave as much. It is not named.",
-                 causeTitle(most->cause)),
-       heft::say("Nothing need be done: the payload allows for it."),
-       {}});
+  out.findings.push_back({Severity::info,
+                          "too_small_to_name",
+                          heft::say("\"{}\" would explain some of the misfit, but it is so small that Heft's own "
+                                    "smoothing of the motion may cause as much. It is not reported.",
+                                    causeTitle(most->cause)),
+                          heft::say("No action is needed: the estimate accounts for it."),
+                          {}});
 }
 
 void sayAlignment(const std::vector<DiagnosedCause>& aligned, double std, DiagnosisReport& out) {
@@ -58,24 +57,22 @@ void sayAlignment(const std::vector<DiagnosedCause>& aligned, double std, Diagno
     out.findings.push_back(
         {Severity::info,
          "clocks_aligned",
-         heft::say("{} That is not put down to the rig: Heft brought the two clocks together by the data, to within "
-                   "{:.1f} ms.",
-                   causeSentence(cause, {}), 2e3 * std),
+         heft::say(
+             "{} This is not attributed to the setup: Heft aligned the two clocks from the data, to within {:.1f} ms.",
+             causeSentence(cause, {}), 2e3 * std),
          heft::say("To judge delays, record force and motion on one clock."),
          {}});
 }
 
 void saySmoothing(double cutoffHz, double evidence, DiagnosisReport& out) {
   if (evidence < kOverwhelming) return;
-  out.findings.push_back(
-      {Severity::info,
-       "motion_smoothed",
-       heft::say(
-           "The motion was smoothed to {:.0f} Hz, since above that its accelerations are noisier than the sensor; "
-           "what is faster cannot be judged.",
-           cutoffHz),
-       heft::say("Record angles with more digits and at a higher rate, if the robot has them."),
-       {}});
+  out.findings.push_back({Severity::info,
+                          "motion_smoothed",
+                          heft::say("The motion was smoothed to {:.0f} Hz, since above that its accelerations are "
+                                    "noisier than the sensor; faster effects cannot be checked.",
+                                    cutoffHz),
+                          heft::say("Record angles with more digits and at a higher rate, if the robot has them."),
+                          {}});
 }
 
 }  // namespace heft::diagnosis

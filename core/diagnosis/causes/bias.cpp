@@ -50,7 +50,7 @@ class BiasDrift final : public Cause {
         .title = heft::toSay("Sensor zero drifts (bias drift)"),
         .check = heft::toSay("Let the sensor warm up for half an hour, avoid draughts and re-zero often."),
         .decides = heft::toSay("Come back to the same pose three times: a drift reads differently each time."),
-        .looks = heft::toSay("The difference climbs or sinks slowly over the whole recording and ignores the motion."),
+        .looks = heft::toSay("The difference rises or falls slowly over the whole recording, whatever the motion."),
         .decidingMotion = "tilt-round",
         .effect = "bias_drift",
         .zeroMoves = true};

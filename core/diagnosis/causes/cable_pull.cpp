@@ -100,22 +100,21 @@ class CablePull final : public Cause {
       return heft::say("A torque grows as the tool rotates and drives it further: {} N m per radian.",
                        v.size("twist_stiffness"));
     if (v.value("stiffness") < 0.0)
-      return heft::say("Something, such as a bent hose, pushes the tool away from one spot: {} N per metre.",
+      return heft::say("Something, such as a bent hose, pushes the tool away from one point: {} N per metre.",
                        v.size("stiffness"));
     if (v.find("twist_stiffness"))
       return heft::say("A cable twists back as the tool turns: {} N m per radian.", v.size("twist_stiffness"));
     if (v.find("hardening"))
       return heft::say(
-          "A cable or hose, fixed to one spot, pulls the tool back: {} N per metre where it begins to segment, and "
-          "more "
-          "the further it does.",
+          "A cable or hose, fixed at one point, pulls the tool back: {} N per metre where it starts to stretch, and "
+          "more the further it stretches.",
           v.size("stiffness"));
     if (v.find("length"))
       return heft::say(
-          "A cable or hose, fixed to one spot and {} mm long when slack, pulls the tool back: {} N per metre.",
+          "A cable or hose, fixed at one point and {} mm long when slack, pulls the tool back: {} N per metre.",
           v.size("length"), v.size("stiffness"));
     if (v.find("stiffness"))
-      return heft::say("A cable or hose pulls the tool towards one spot: {} N per metre.", v.size("stiffness"));
+      return heft::say("A cable or hose pulls the tool towards one point: {} N per metre.", v.size("stiffness"));
     return heft::say("A cable or hose pulls the tool back, by up to {} N per metre.",
                      numberWords(v.mostAlongAnyLine("stiffness"), 1));
   }

@@ -39,8 +39,8 @@ class ConstantPull final : public Cause {
     const bool pullsUp = !v.find("time") && force.dot(gravity) < 0.0 &&
                          force.cross(gravity).norm() < kFormError * force.norm() * gravity.norm();
     return pullsUp ? heft::say(
-                         "It acts straight up: does the robot or the sensor's driver take a tool's weight off already? "
-                         "If not: is there a balancer or a hose that carries a part of it?")
+                         "It acts straight up: does the robot or the sensor's driver already subtract a tool's weight? "
+                         "If not: does a balancer or a hose carry part of it?")
                    : Cause::check(v, gravity);
   }
   std::vector<std::string> lookAlikes() const override { return {"gravity_tilt", "cable_pull"}; }

@@ -68,7 +68,7 @@ class DerivativeNoise final : public Cause {
           v.size("noise"));
     if (v.find("window"))
       return heft::say(
-          "The reported velocities are means over {} ms, so that what is fast in them is too small; Heft can use the "
+          "The reported velocities are averaged over {} ms, so their fast parts are too small; Heft can use the "
           "positions instead.",
           v.size("window"));
     if (v.find("force_noise"))
@@ -88,14 +88,12 @@ class DerivativeNoise final : public Cause {
                        numberWords(v.value("step_place"), 2));
     if (v.find("position_smoothing"))
       return heft::say(
-          "The positions were smoothed before they were recorded, by {} ms to either side, so that what is fast in "
-          "them "
-          "is too small.",
+          "The positions were smoothed before they were recorded, by {} ms to either side, so their fast parts are too "
+          "small.",
           v.size("position_smoothing"));
     if (v.find("smoothing"))
       return heft::say(
-          "The motion was smoothed before it was recorded, by {} ms to either side, so that what is fast in it is too "
-          "small.",
+          "The motion was smoothed before it was recorded, by {} ms to either side, so its fast parts are too small.",
           v.size("smoothing"));
     return v.direct
                ? heft::say("The reported velocities are {} % off; Heft can use the positions instead.", v.size("loss"))

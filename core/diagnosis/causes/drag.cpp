@@ -206,7 +206,7 @@ class CoulombFriction final : public Resistance {
         .title = heft::toSay("Something rubs (Coulomb friction)"),
         .check = heft::toSay("Does a cable rub in a clamp, a cover scrape, a sheath stiffen?"),
         .decides = heft::toSay("Repeat one movement at several speeds, and reverse it after short and long distances."),
-        .looks = heft::toSay("The difference jumps to the other side whenever the motion reverses, at any speed."),
+        .looks = heft::toSay("The difference changes sign whenever the motion reverses, at any speed."),
         .decidingMotion = "swing-sideways",
         .effect = "coulomb_friction"};
     return kInfo;

@@ -22,7 +22,7 @@ class FlexibleMount final : public Oscillator {
     static constexpr CauseInfo kInfo{
         .id = ids::flexibleMount,
         .family = Family::dynamicGain,
-        .title = heft::toSay("The tool's mount gives (flexible mount)"),
+        .title = heft::toSay("The tool's mount flexes (flexible mount)"),
         .check = heft::toSay("Tighten the screws between arm, sensor and tool; look for rubber or thin adapters."),
         .decides = heft::toSay("Tap the tool with a finger while the arm holds still."),
         .looks = heft::toSay("A small, fast ringing after every jerk, always at the same frequency."),
@@ -32,14 +32,14 @@ class FlexibleMount final : public Oscillator {
   std::string sentence(const FoundValues& v) const override {
     if (v.find("strikes"))
       return heft::say(
-          "Something that carries the tool gives and rings at {} Hz when it is struck: its mount, or the robot's "
+          "Something that carries the tool is flexible and rings at {} Hz when it is struck: its mount, or the robot's "
           "pedestal.",
           numberWords(v.value("frequency"), 0));
-    return heft::say("The tool's mount gives and rings at {} Hz.", numberWords(v.value("frequency"), 0));
+    return heft::say("The tool's mount is flexible and rings at {} Hz.", numberWords(v.value("frequency"), 0));
   }
   std::string check(const FoundValues& v, const Vector3d& gravity) const override {
     return v.find("strikes") ? heft::say(
-                                   "Tap the tool, then the robot's pedestal: which of them rings at this pitch? "
+                                   "Tap the tool, then the robot's pedestal: which of them rings at this frequency? "
                                    "Tighten its screws.")
                              : Cause::check(v, gravity);
   }

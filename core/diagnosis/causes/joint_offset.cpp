@@ -17,8 +17,8 @@ class JointOffset final : public Cause {
         .title = heft::toSay("Joint angle off (encoder offset)"),
         .check = heft::toSay("Check that joint's calibration and the robot description of this recording."),
         .decides = heft::toSay(
-            "Visit poses in which the other joints stand very differently, elbow high and low. No motion tells a wrong "
-            "zero of the last joint from a sensor rotated about its axis: look at the rig."),
+            "Visit poses with very different angles of the other joints, elbow high and low. No motion distinguishes a "
+            "wrong zero of the last joint from a sensor rotated about its axis: check the robot."),
         .looks = heft::toSay("A difference that depends on the pose: a tilt that is not the same everywhere."),
         .effect = "joint_offset"};
     return kInfo;

@@ -15,9 +15,8 @@ class LeverArm final : public Cause {
         .id = ids::leverArm,
         .family = Family::geometry,
         .title = heft::toSay("Sensor position wrong (lever arm)"),
-        .check = heft::toSay(
-            "Measure from the flange to the sensor's origin and compare with the setup file. If that is right, the "
-            "torque is about another point: state wrench_point."),
+        .check = heft::toSay("Measure from the flange to the sensor's origin and compare with the setup file. If that "
+                             "is right, the torque refers to another point: state wrench_point."),
         .decides = heft::toSay("Rotate the tool fast back and forth about all three axes."),
         .looks =
             heft::toSay("Slow motion fits; fast turning leaves a difference that grows with the square of its speed."),

@@ -25,7 +25,7 @@ class LooseMass final : public Oscillator {
         .check = heft::toSay("Shake the tool by hand and listen: a loose part, a liquid, a hanging hose?"),
         .decides =
             heft::toSay("Move and stop abruptly a few times in different directions: a loose part keeps swinging."),
-        .looks = heft::toSay("After each stop the difference swings on for a while, a few times a second."),
+        .looks = heft::toSay("After each stop the difference keeps oscillating for a while, at a few hertz."),
         .decidingMotion = "shake-forwards",
         .effect = "loose_mass"};
     return kInfo;

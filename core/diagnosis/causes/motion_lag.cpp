@@ -15,9 +15,9 @@ class MotionLag final : public Cause {
         .id = ids::motionLag,
         .family = Family::timing,
         .title = heft::toSay("Accelerations late (motion lag)"),
-        .check = heft::toSay("Record the plain joint angles at the full rate, without smoothing."),
+        .check = heft::toSay("Record the raw joint angles at the full rate, without smoothing."),
         .decides = heft::toSay(
-            "Turn the tool slowly through large angles: late readings show then too, late accelerations do not."),
+            "Turn the tool slowly through large angles: late readings still show then, late accelerations do not."),
         .looks = heft::toSay("Slow turning fits well; only starts and stops leave a difference."),
         .decidingMotion = "turn-slowly",
         .effect = "motion_lag"};

@@ -20,7 +20,7 @@ class PayloadChange final : public Cause {
         .check = heft::toSay("Was a part picked up or put down? Mark only the segment that you mean."),
         .decides =
             heft::toSay("Turn the tool to another pose after the change: a load turns with gravity, a jump does not."),
-        .looks = heft::toSay("From one moment on there is a residual that turns with the tool, as a weight does."),
+        .looks = heft::toSay("From some point on there is a residual that rotates with the tool, like a weight."),
         .decidingMotion = "tilt-sideways",
         .effect = "payload_change",
         .scalesWithLoad = true};

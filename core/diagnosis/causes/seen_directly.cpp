@@ -39,7 +39,7 @@ class Dropouts final : public Cause {
         .family = Family::dataQuality,
         .title = heft::toSay("Readings lost or repeated (dropouts)"),
         .check = heft::toSay("Check the connection, and record at the sensor's own rate."),
-        .decides = heft::toSay("None is needed: the readings show it."),
+        .decides = heft::toSay("Not needed: the readings show it."),
         .looks = heft::toSay("The measured curve has flat steps or holes where it should run on."),
         .effect = "dropouts"};
     return kInfo;
@@ -67,7 +67,7 @@ class Jitter final : public Cause {
         .family = Family::dataQuality,
         .title = heft::toSay("Uneven time stamps (jitter)"),
         .check = heft::toSay("Let the sensor or the robot stamp the readings, not a busy computer."),
-        .decides = heft::toSay("None is needed: the time stamps show it."),
+        .decides = heft::toSay("Not needed: the time stamps show it."),
         .looks = heft::toSay("In fast motion the measured curve jitters back and forth in time."),
         .effect = "jitter"};
     return kInfo;
@@ -87,8 +87,8 @@ class Quantisation final : public Cause {
         .family = Family::dataQuality,
         .title = heft::toSay("Coarse readings (quantisation)"),
         .check = heft::toSay("Choose a finer measuring range, or a file format with more digits."),
-        .decides = heft::toSay("None is needed: the readings show it."),
-        .looks = heft::toSay("The measured curve climbs in stairs where the simulated one is smooth."),
+        .decides = heft::toSay("Not needed: the readings show it."),
+        .looks = heft::toSay("The measured curve rises in steps where the simulated one is smooth."),
         .effect = "quantisation"};
     return kInfo;
   }
@@ -111,7 +111,7 @@ class FrameError final : public Cause {
         .title = heft::toSay("Frames or signs mixed up"),
         .check = heft::toSay("Compare the sensor's manual with the setup file: axes, signs, gravity."),
         .decides = heft::toSay("Not needed: the error is obvious."),
-        .looks = heft::toSay("Nothing fits: the simulated curves run against the measured ones."),
+        .looks = heft::toSay("Nothing fits: the simulated curves run opposite to the measured ones."),
         .effect = "frame_error"};
     return kInfo;
   }

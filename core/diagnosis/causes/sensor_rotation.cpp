@@ -16,9 +16,9 @@ class SensorRotation final : public Cause {
         .family = Family::geometry,
         .title = heft::toSay("Sensor rotated on its mount"),
         .check = heft::toSay("Compare the arrows printed on the sensor with the mount in the setup file."),
-        .decides = heft::toSay("Turn the last joint by half a turn and hold, then tilt the tool. No motion tells a "
-                               "sensor rotated about the "
-                               "last joint's axis from a wrong zero of that joint: look at the rig."),
+        .decides =
+            heft::toSay("Turn the last joint by half a turn and hold, then tilt the tool. No motion distinguishes a "
+                        "sensor rotated about the last joint's axis from a wrong zero of that joint: check the robot."),
         .looks = heft::toSay("The weight shows up on the wrong axis of the sensor, always the same one."),
         .decidingMotion = "tilt-forwards",
         .effect = "sensor_rotation",

@@ -17,9 +17,9 @@ class TimeOffset final : public Cause {
         .family = Family::timing,
         .title = heft::toSay("Force readings late (delay)"),
         .check = heft::toSay("Are force and joint data timestamped by the same clock?"),
-        .decides = heft::toSay("Shake the tool quickly for ten seconds, two to four times a second."),
-        .looks = heft::toSay(
-            "The difference is large where the force changes fast and zero where it rests, with the full height kept."),
+        .decides = heft::toSay("Shake the tool quickly for ten seconds, two to four times per second."),
+        .looks = heft::toSay("The difference is large where the force changes fast and zero where it is constant; "
+                             "peaks keep their full height."),
         .decidingMotion = "shake-sideways",
         .effect = "time_offset"};
     return kInfo;

@@ -92,7 +92,7 @@ Correlate actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const s
   if (left < kSmallShare * all && (place - centre).norm() < near)
     return heft::toSay("the centre of mass, as if the robot's base moved");
   if (all < kLoudPower * torqueNoise / count * many && place.norm() < near && centre.norm() > 2.0 * near)
-    return heft::toSay("the load's size, on the forces alone");
+    return heft::toSay("the size of the load, on the forces alone");
   return {};
 }
 
@@ -148,8 +148,8 @@ std::vector<Law> lawsOfMotors(const Signals& signals) {
       motor(0, n) = signals.dq.row(j).segment(n * m, m).cwiseAbs().mean() > still ? 1.0 : 0.0;
       motor(1, n) = signals.ddq.row(j).segment(n * m, m).cwiseAbs().mean() / most;
     }
-    out.push_back({Correlate(heft::toSay("what the motor of joint {:.0f} does"), static_cast<double>(j + 1)),
-                   std::move(motor), kClearMajority});
+    out.push_back({Correlate(heft::toSay("the motor of joint {:.0f}"), static_cast<double>(j + 1)), std::move(motor),
+                   kClearMajority});
   }
   return out;
 }
@@ -178,7 +178,7 @@ constexpr std::array kHypotheses{
                       [](const Segments& s) { return areMixedUp(s.signals, s.fit, s.contacts, s.beyond); }},
     SegmentHypothesis{heft::toSay("the size of all readings together"),
                       [](const Segments& s) { return growTogether(s.fit, s.contacts, s.beyond); }},
-    SegmentHypothesis{heft::toSay("the load's size"),
+    SegmentHypothesis{heft::toSay("the size of the load"),
                       [](const Segments& s) { return growBeyondALoad(s.signals, s.fit, s.contacts, s.beyond); }},
     SegmentHypothesis{heft::toSay("where in the tool its weight sits"),
                       [](const Segments& s) { return isWeightElsewhere(s.signals, s.fit, s.contacts); }},

@@ -205,8 +205,8 @@ bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause) {
 Result<Recording> corrected(const Recording& recording, const RobotModel* robot, const json& found,
                             const std::vector<std::string>& causes, std::vector<std::string>* unknown) {
   const Error other{
-      heft::say("The corrections of this session are of a diagnosis that this version of Heft does not "
-                "understand; run the reality check again.")};
+      heft::say("The corrections of this session come from a diagnosis that this version of Heft does not understand; "
+                "run the reality check again.")};
   Recording out = recording;
   std::vector<std::string> fitted;
   for (const std::string& id : causes) {
@@ -266,7 +266,8 @@ Result<Recording> correctedByAll(const Recording& recording, const RobotModel* r
                                  const std::string& where) {
   if (memberOf(found, "schema") != "heft.diagnose/1" || !memberOf(found, "causes").is_array() ||
       !memberOf(found, "model").is_object())
-    return Error{heft::say("{} is no result of heft diagnose; write one with heft diagnose REC --json FILE.", where)};
+    return Error{
+        heft::say("{} is not a result of heft diagnose; write one with heft diagnose REC --json FILE.", where)};
   const bool another = memberOf(found, "file") != recording.file;
   std::vector<std::string> causes, left;
   for (const json& cause : found["causes"]) {

@@ -161,20 +161,20 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
   if (possible(report.before) && !possible(report.after)) {
     // Causes that leave an impossible payload explain nothing: they are shown, the payload stays as it was.
     report.verdict = Verdict::unexplained;
-    leaveAsItWas(report, hypothesis, "causes_not_believable",
-                 heft::say("With these causes taken out the payload would be impossible, so it is left as it was."),
-                 heft::say("Repeat the recording without touching anything."));
+    leaveAsItWas(
+        report, hypothesis, "causes_not_believable",
+        heft::say("With these causes corrected the payload would be physically impossible, so it was left unchanged."),
+        heft::say("Repeat the recording without touching anything."));
   } else if (unknown && !predictsBetter(report.after, report.before)) {
     leaveAsItWas(
         report, hypothesis, "payload_left_as_it_was",
-        heft::say(
-            "Taking these causes out does not help to predict held-out segments, so the payload is left as it was."),
-        heft::say("Find what is unknown first: record the motion once more, more slowly."));
+        heft::say("Correcting these causes does not improve held-out segments, so the payload was left unchanged."),
+        heft::say("Find the unknown part first: record the motion again, more slowly."));
   } else if (unknown && !report.mistake && movesFar(report.after, report.before)) {
     leaveAsItWas(report, hypothesis, "payload_left_as_it_was",
-                 heft::say("With these causes taken out the payload would be a quarter lighter or heavier, while "
-                           "something unknown is left; so it is left as it was."),
-                 heft::say("Find what is unknown first: record the motion once more, more slowly."));
+                 heft::say("With these causes corrected the payload would change by a quarter or more while something "
+                           "unknown remains, so it was left unchanged."),
+                 heft::say("Find the unknown part first: record the motion again, more slowly."));
   } else if (mountTurns(report.metaChanges())) {
     report.findings.push_back({Severity::info,
                                "payload_as_stated",

@@ -234,7 +234,7 @@ Result<Hypothesis> hypothesisOn(const SmoothingCandidate& candidate, const Diagn
                                 const Progress& progress, const StopsEarly& stopsEarly) {
   const double judged = blocksIn(stretchesOf(candidate.signals.usable));
   if (judged < 100.0)
-    return Error{heft::say("Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.",
+    return Error{heft::say("Only {:.1f} s of the recording can be checked; at least 2 s without contact are needed.",
                            judged / candidate.signals.blockRate())};
   return workedWith(candidate, holesOf(candidate), options, threshold, progress, stopsEarly);
 }

@@ -231,7 +231,7 @@ std::string toHtml(const DiagnosisReport& report, std::span<const diagnosis::Wit
         moved(0), moved(1), moved(2), moved(3), moved.tail<6>().maxCoeff());
   out += "</section>\n";
   if (!report.smallest.empty()) {
-    out += "<section><h2>Could not have been seen with this motion</h2><table>";
+    out += "<section><h2>Not detectable with this motion</h2><table>";
     for (const auto& small : report.smallest)
       out +=
           std::isfinite(small.value)

@@ -153,9 +153,9 @@ namespace {
 std::string tiesText(const diagnosis::FrameMistake& mistake) {
   std::string out;
   for (const auto& tie : mistake.ties)
-    out +=
-        fmt::format("   As well fits: {} Payload {:.4g} kg, centre of mass ({:.1f}, {:.1f}, {:.1f}) mm\n", tie.sentence,
-                    tie.payload.mass, tie.payload.com.x() * 1e3, tie.payload.com.y() * 1e3, tie.payload.com.z() * 1e3);
+    out += fmt::format("   Fits equally well: {} Payload {:.4g} kg, centre of mass ({:.1f}, {:.1f}, {:.1f}) mm\n",
+                       tie.sentence, tie.payload.mass, tie.payload.com.x() * 1e3, tie.payload.com.y() * 1e3,
+                       tie.payload.com.z() * 1e3);
   return out;
 }
 
@@ -178,10 +178,10 @@ std::string toText(const DiagnosisReport& report) {
                          cause.gain.forceBefore, cause.gain.forceAfter, cause.gain.torqueBefore, cause.gain.torqueAfter,
                          cause.gain.blocksBetter, cause.gain.blocks);
     if (!cause.direct && report.surrogates > 0)
-      out += fmt::format("   Evidence {:.0f}; 95 % of {} simulated clean recordings stay below {:.1f}\n",
-                         cause.deltaBic, report.surrogates, report.threshold);
+      out += fmt::format("   Evidence {:.0f}; 95 % false-alarm threshold from {} simulations: {:.1f}\n", cause.deltaBic,
+                         report.surrogates, report.threshold);
     if (!cause.alternatives.empty())
-      out += fmt::format("   This motion cannot tell it from: {}\n   To tell them apart: {}\n",
+      out += fmt::format("   Not distinguishable with this motion: {}\n   To decide: {}\n",
                          fmt::join(cause.alternatives, ", "), cause.tellApart);
     if (cause.ofMistake) out += tiesText(*report.mistake);
     out += fmt::format("   Check: {}\n", cause.check);
@@ -191,9 +191,8 @@ std::string toText(const DiagnosisReport& report) {
     const Vector10d moved = payloadShift(report);
     out += fmt::format("\nPayload before  {}\nPayload after   {}\n", payloadLine(report.before),
                        payloadLine(report.after));
-    out += fmt::format(
-        "That is {:.1f} standard deviations of the mass, {:.1f} of the centre of mass, {:.1f} of the inertia.\n",
-        moved(0), moved.segment<3>(1).maxCoeff(), moved.tail<6>().maxCoeff());
+    out += fmt::format("Change: {:.1f} sigma (mass), {:.1f} sigma (centre of mass), {:.1f} sigma (inertia)\n", moved(0),
+                       moved.segment<3>(1).maxCoeff(), moved.tail<6>().maxCoeff());
   }
   if (report.check)
     out += fmt::format("\nChecked on {}: {:.3f} -> {:.3f} N, {:.4f} -> {:.4f} N m\n{}\n", report.check->file,
@@ -203,7 +202,7 @@ std::string toText(const DiagnosisReport& report) {
   for (const auto& s : report.smallest)
     if (std::isfinite(s.value))
       unseen += fmt::format("  {:<18} below {:.2g} {} ({})\n", s.cause, s.value, s.unit, s.parameter);
-  if (!unseen.empty()) out += "\nCould not have been seen with this motion:\n" + unseen;
+  if (!unseen.empty()) out += "\nNot detectable with this motion:\n" + unseen;
   return out;
 }
 

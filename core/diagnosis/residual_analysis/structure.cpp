@@ -151,13 +151,13 @@ std::vector<Group> groups(const Signals& signals, const Fit& fit) {
   }
   out.push_back({heft::toSay("the load on the sensor"), withProducts(normalised(kin.specificForce))});
   MatrixXd cubes = normalised(kin.specificForce);
-  out.push_back({heft::toSay("the load's size"), stacked(cubes.cwiseAbs(), cubes.array().cube().matrix())});
+  out.push_back({heft::toSay("the size of the load"), stacked(cubes.cwiseAbs(), cubes.array().cube().matrix())});
   out.push_back({heft::toSay("how fast the load changes"),
                  stacked(rateOf(kin.specificForce, signals.rateHz), aheadOfPlay(kin.specificForce, 3.0))});
   out.push_back(
       {heft::toSay("how fast the tool turns"), stacked(kin.omega, kin.omega.cwiseProduct(kin.omega.cwiseAbs()))});
   out.push_back({heft::toSay("the direction in which the tool turns"), turning});
-  out.push_back({heft::toSay("how fast the turning changes"), kin.alpha});
+  out.push_back({heft::toSay("how fast the rotation changes"), kin.alpha});
   std::ranges::move(leaks(signals, fit), std::back_inserter(out));
   return out;
 }
@@ -368,7 +368,8 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
   if (signals.noisyMotion) return best;
   const Wrenches evened = evenWrench(fit.residual, fit.noise);
   unlessPlain(shakingIn(signals, stretches, evened), heft::toSay("a shaking of {:.0f} to {:.0f} Hz"));
-  unlessPlain(slowExcess(signals, stretches, evened), heft::toSay("slow swings, {:.1f} to {:.0f} times a second"));
+  unlessPlain(slowExcess(signals, stretches, evened),
+              heft::toSay("slow oscillation, {:.1f} to {:.0f} times per second"));
   return best;
 }
 

@@ -64,7 +64,7 @@ Surrogates surrogates(const Signals& signals, const std::vector<Stretch>& stretc
   constexpr int kBatch = 20;
   std::mt19937_64 random(seed);
   for (int done = 0; done < count && !progress.cancelled(); done += kBatch) {
-    progress(static_cast<double>(done) / count, heft::say("Trying the search on simulated clean recordings"));
+    progress(static_cast<double>(done) / count, heft::say("Running the search on simulated clean recordings"));
     const int batch = std::min(kBatch, count - done);
     // White innovations: what whitening makes of simulated noise. Box-Muller, the same on every platform.
     MatrixXd noise = MatrixXd::Zero(rows, batch);

@@ -230,7 +230,7 @@ class RivalComparison {
     search_.found.clear();
     for (const auto& cause : std::vector<std::string>(search_.order)) {
       if (!contains(search_.final.model, cause) || progress.cancelled()) continue;
-      progress(0.8, heft::say("Comparing what could stand in its place"));
+      progress(0.8, heft::say("Comparing alternatives"));
       const CandidateFits& around = triedWithout(cause);
       Found found;
       found.cause = cause;

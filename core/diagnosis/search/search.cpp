@@ -155,7 +155,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
   std::vector<Sibling> siblings;
   for (int step = static_cast<int>(out.final.model.terms.size());
        step < options.maxTerms && !areTooMany(out.final.model) && !progress.cancelled(); ++step) {
-    progress(0.1 + 0.1 * step, heft::say("Trying causes"));
+    progress(0.1 + 0.1 * step, heft::say("Testing causes"));
     const auto ranked = promises(signals, stretches, bank, out.final);
     if (ranked.empty()) break;
     CandidateFits latest{out.final, candidateFits(signals, stretches, out.final, ranked)};

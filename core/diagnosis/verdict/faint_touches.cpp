@@ -23,19 +23,17 @@ FaintTouches faintTouches(const Hypothesis& hypothesis, const std::vector<Diagno
   const bool counts = evidence > (fitted.empty() ? kNoise : kMinorShare * others);
   FaintTouches out;
   out.areFaint = true;
-  out.finding = {
-      counts ? Severity::warning : Severity::info,
-      "faint_stretches",
-      hypothesis.contacts.size() == 1
-          ? heft::say(
-                "A segment of {:.1f} s was left out: something acts there, too faint to tell a touch from anything "
-                "else.",
-                lasts)
-          : heft::say("{} segments, {:.1f} s in all, were left out: something acts there, too faint to tell a touch "
-                      "from anything else.",
-                      std::ssize(hypothesis.contacts), lasts),
-      heft::say("Record the motion once more and keep clear of everything."),
-      {}};
+  out.finding = {counts ? Severity::warning : Severity::info,
+                 "faint_stretches",
+                 hypothesis.contacts.size() == 1
+                     ? heft::say("A segment of {:.1f} s was excluded: something acts there, too weak to distinguish "
+                                 "contact from other effects.",
+                                 lasts)
+                     : heft::say("{} segments, {:.1f} s in total, were excluded: something acts there, too weak to "
+                                 "distinguish contact from other effects.",
+                                 std::ssize(hypothesis.contacts), lasts),
+                 heft::say("Record the motion again and keep clear of everything."),
+                 {}};
   if (counts && evidence > remaining.gain)
     out.remaining = Structure{heft::toSay("a few moments alone"), evidence, 0.0, 0.0, 0.0};
   return out;

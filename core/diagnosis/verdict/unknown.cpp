@@ -164,11 +164,11 @@ Claim segmentsSetAside(const Asked& asked, const WhatRemains&) {
 Claim recurrences(const Asked& asked, const WhatRemains&) {
   Claim out;
   for (const Contact& contact : asked.hypothesis.recurrences)
-    out.findings.push_back(info(
-        "cause_again",
-        heft::say("From {:.1f} to {:.1f} s the zero or the load was another one once more; that segment was left out.",
-                  contact.from, contact.to),
-        {}));
+    out.findings.push_back(
+        info("cause_again",
+             heft::say("From {:.1f} to {:.1f} s the zero or the load was different again; that segment was excluded.",
+                       contact.from, contact.to),
+             {}));
   return out;
 }
 
@@ -177,13 +177,12 @@ Claim recurrences(const Asked& asked, const WhatRemains&) {
 Claim blows(const Asked& asked, const WhatRemains&) {
   const auto& ringing = asked.hypothesis.ringing;
   if (!ringing || !ringing->struck) return {};
-  return {
-      seen(heft::toSay("blows from outside"), ringing->evidence),
-      {warning("struck",
-               heft::say("Something struck the tool or the ground, first at {:.1f} s: the motion alone sets nothing "
-                         "ringing so hard.",
-                         ringing->when.front().first),
-               heft::say("Find out what knocks, and record once more without it."))}};
+  return {seen(heft::toSay("blows from outside"), ringing->evidence),
+          {warning("struck",
+                   heft::say("Something struck the tool or the ground, first at {:.1f} s: the motion alone would not "
+                             "cause such strong ringing.",
+                             ringing->when.front().first),
+                   heft::say("Find out what knocks, and record again without it."))}};
 }
 
 /// Whether what remains is `hum` as blocks show it, folded down by their rate.
@@ -198,14 +197,14 @@ Claim aHum(const Asked& asked, const WhatRemains& soFar) {
   if (!hum) return {};
   const bool unknown = hum->share > kFifth;
   Claim out;
-  out.findings.push_back(
-      {unknown ? Severity::warning : Severity::info,
-       "readings_hum",
-       heft::say("The readings hum at {:.0f} Hz, by {:.2g} N and {:.2g} N m.", hum->frequencyHz, hum->force,
-                 hum->torque),
-       hum->mains ? heft::say("That is the mains: check the sensor's shield and earth.")
-                  : heft::say("Switch off what runs nearby, such as a fan or a motor, and record once more."),
-       {}});
+  out.findings.push_back({unknown ? Severity::warning : Severity::info,
+                          "readings_hum",
+                          heft::say("The readings hum at {:.0f} Hz, by {:.2g} N and {:.2g} N m.", hum->frequencyHz,
+                                    hum->force, hum->torque),
+                          hum->mains
+                              ? heft::say("That is the mains: check the sensor's shield and earth.")
+                              : heft::say("Switch off what runs nearby, such as a fan or a motor, and record again."),
+                          {}});
   const bool free = soFar.structure.gain <= kUnexplained;
   if (unknown && (free || isFolded(*hum, asked.hypothesis.signals.blockRate(), soFar.structure)))
     out.remaining =
@@ -261,11 +260,10 @@ Claim deadBandsOf(const Asked& asked, const WhatRemains&) {
   for (const DeadBand& band : asked.by.deadBands)
     out.findings.push_back(warning(
         "dead_band",
-        heft::say("{} reads exactly {:.4g} {} wherever it would be less than {:.2g} away from that: {:.0f} % of its "
-                  "readings.",
+        heft::say("{} reads exactly {:.4g} {} wherever it is within {:.2g} of that value: {:.0f} % of its readings.",
                   channelName(band.channel), band.reads, band.channel < 3 ? "N" : "N m", band.width,
                   100.0 * band.share),
-        heft::say("Switch off the threshold or dead band in the sensor's driver and record once more.")));
+        heft::say("Switch off the threshold or dead band in the sensor's driver and record again.")));
   if (!asked.by.deadBands.empty()) out.remaining = seen(heft::toSay("readings that stick at one value"));
   return out;
 }

@@ -234,7 +234,7 @@ void dropBesideUnknown(DiagnosisReport& report) {
        heft::say("There is less evidence for {} than for the unexplained part, and it may belong to that. It is not "
                  "reported as a cause.",
                  joined(titles)),
-       heft::say("Find what is unknown first: record the motion once more, more slowly."),
+       heft::say("Find the unknown part first: record the motion again, more slowly."),
        {}});
 }
 
@@ -244,9 +244,8 @@ std::string verdictSentence(const DiagnosisReport& report) {
   switch (report.verdict) {
     case Verdict::clean:
       return std::ranges::any_of(report.findings, [](const Finding& f) { return f.code == "zero_wanders"; })
-                 ? heft::say(
-                       "The model fits: nothing is left but the sensor's noise and its zero, which wanders slowly.")
-                 : heft::say("The model fits: nothing is left but the sensor's noise.");
+                 ? heft::say("The model fits: only sensor noise and a slow drift of its zero remain.")
+                 : heft::say("The model fits: only sensor noise remains.");
     case Verdict::ambiguous: {
       const auto tied =
           std::ranges::find_if(report.causes, [](const DiagnosedCause& c) { return !c.alternatives.empty(); });

@@ -79,7 +79,7 @@ Result<EffectRequest> parseEffect(std::string_view text) {
   if (slash != std::string_view::npos) request.form = name.substr(slash + 1);
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), request.size);
   if (error != std::errc() || end != number.data() + number.size())
-    return Error{fmt::format("The size of the effect '{}' is no number: '{}'.", printable(name), printable(number))};
+    return Error{fmt::format("The size of the effect '{}' is not a number: '{}'.", printable(name), printable(number))};
   if (const std::string wrong = whatIsWrong(request); !wrong.empty()) return Error{wrong};
   return request;
 }

@@ -126,7 +126,7 @@ TEST_F(EntryCostTest, SaysWhatIsMissing) {
   report.trust = Trust::none;
   const auto untrusted = costOfEntry(whole(onFlange), report, {}, kUsual, recording, &RobotModel::panda());
   ASSERT_FALSE(untrusted);
-  EXPECT_NE(untrusted.error().message.find("cannot be trusted"), std::string::npos);
+  EXPECT_NE(untrusted.error().message.find("not reliable"), std::string::npos);
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ TEST(Passport, ThePageShowsNumbersInTheWantedUnits) {
   const std::string page = passportPage(made);
   for (const char* text :
        {"Payload passport: Gripper 3", "2026-11-28, Heft test.", "<td>Mass</td><td>0.", " kg</td>", "Centre z",
-        "kg cm²", "measured", "A cable pulls with 2 N/m. It is taken out of the numbers.", "delays under 1 ms",
+        "kg cm²", "measured", "A cable pulls with 2 N/m. The numbers are corrected for it.", "delays under 1 ms",
         "These numbers were not proved on another recording."})
     EXPECT_NE(page.find(text), std::string::npos) << text;
   PageUnits grams;

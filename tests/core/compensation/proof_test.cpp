@@ -94,7 +94,7 @@ TEST(Proof, WithoutMotionNothingIsProved) {
   const Proof proof = proofOf(bare(kProved), test::standingStill(test::recordingOf(MotionKind::free, kProved, 7500)));
   EXPECT_EQ(proof.verdict, ProofVerdict::cannotTell) << toText(proof);
   EXPECT_THAT(toText(proof), testing::StartsWith("NOT YET. This recording is not sufficient."));
-  EXPECT_THAT(proof.reasons.front().remedy, testing::HasSubstr("tilt it to all sides"));
+  EXPECT_THAT(proof.reasons.front().remedy, testing::HasSubstr("tilt it in all directions"));
   // A payload that says of itself that it is not known proves nothing either.
   EnteredPayload vague = bare(kProved);
   vague.std.mass = 0.1;

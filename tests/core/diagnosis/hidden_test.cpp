@@ -476,7 +476,7 @@ TEST(Diagnose, TiedUnitsAreNoAnswer) {
   ASSERT_TRUE(report.mistake.has_value());
   EXPECT_EQ(report.verdict, Verdict::ambiguous) << said(report);
   EXPECT_TRUE(report.metaChanges().empty());
-  EXPECT_NE(toText(report).find("As well fits"), std::string::npos) << toText(report);
+  EXPECT_NE(toText(report).find("Fits equally well"), std::string::npos) << toText(report);
 }
 
 /// Columns that are swapped are so exactly: what turns them back a little off was a sensor that is mounted turned. They

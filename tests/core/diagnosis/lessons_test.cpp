@@ -143,7 +143,7 @@ TEST(Lessons, NoTurnOfTheLastJointTellsItsZeroFromARotatedSensor) {
   EXPECT_LT((turned * is->omega - seems->omega).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_LT((turned * is->alpha - seems->alpha).cwiseAbs().maxCoeff(), 1e-9);
   for (const char* cause : {"sensor_rotation", "joint_offset"})
-    EXPECT_NE(causeDecides(cause).find("No motion tells"), std::string::npos) << cause;
+    EXPECT_NE(causeDecides(cause).find("No motion distinguishes"), std::string::npos) << cause;
 }
 
 }  // namespace

@@ -133,7 +133,7 @@ TEST(CarriedObject, ExchangedRecordingsAreSaid) {
   const auto carried = carriedBetween(demonstration(kGripper, 12), demonstration(composed(kGripper, kBox), 11));
   EXPECT_EQ(carried.verdict, ObjectVerdict::negative);
   EXPECT_EQ(carried.object.trust, Trust::none);
-  EXPECT_THAT(toText(carried), testing::HasSubstr("Exchange the two recordings"));
+  EXPECT_THAT(toText(carried), testing::HasSubstr("Swap the two recordings"));
 }
 
 TEST(CarriedObject, OtherMountsAreRefusedAndOtherSensorsAreSaid) {
@@ -144,7 +144,7 @@ TEST(CarriedObject, OtherMountsAreRefusedAndOtherSensorsAreSaid) {
   without.meta.mount.xyz.z() += 0.01;
   const auto refused = estimateCarriedObject({&with, &RobotModel::panda()}, {&without, &RobotModel::panda()}, {});
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message, testing::HasSubstr("10.00 mm apart"));
+  EXPECT_THAT(refused.error().message, testing::HasSubstr("differs by 10.00 mm"));
 }
 
 TEST(CarriedObject, TrustIsTheWorseOfTheTwo) {

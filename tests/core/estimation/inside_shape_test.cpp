@@ -67,7 +67,7 @@ TEST(InsideShape, TheBoundHoldsForTheEstimateAndItsIntervals) {
   const double largest = m * (0.020 * 0.020 + 0.025 * 0.025);  // all mass in the corners
   EXPECT_LE(small.payload.inertiaCom(2, 2), largest * (1.0 + 1e-6));
   EXPECT_LE(small.interval95.inertiaCom[2][2].upper, 1.1 * largest);
-  EXPECT_THAT(toText(small), testing::HasSubstr("holding it inside moved the result"));
+  EXPECT_THAT(toText(small), testing::HasSubstr("keeping it inside shifted the result"));
   options.insideShape = false;
   EXPECT_GT(reportOf(recording, options).payload.inertiaCom(2, 2), largest);
 }

@@ -67,7 +67,7 @@ TEST(Report, PlainWordsComeFirst) {
   auto report = sample();
   EXPECT_THAT(toText(report), testing::StartsWith("Your tool weighs 0.81 kg."));
   report.identifiability.mass = Source::none;
-  EXPECT_THAT(toText(report), testing::StartsWith("This motion cannot tell what your tool weighs."));
+  EXPECT_THAT(toText(report), testing::StartsWith("This motion does not determine the mass of your tool."));
 }
 
 TEST(Options, NamesRoundTrip) {

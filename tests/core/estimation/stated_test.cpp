@@ -114,7 +114,7 @@ TEST(Stated, AScaleSharpensTheMassThatTheMotionHardlyTells) {
   EXPECT_NEAR(weighed.evidence.shift(0),
               (weighed.payload.mass - weighed.evidence.data(0)) / weighed.evidence.dataStd(0), 1e-9);
   EXPECT_FALSE(plain.evidence.hasPrior);
-  EXPECT_THAT(toText(weighed), testing::HasSubstr("what you gave"));
+  EXPECT_THAT(toText(weighed), testing::HasSubstr("your input"));
 }
 
 TEST(Stated, StandingStillReturnsTheCadValuesAndSaysSo) {
@@ -129,8 +129,9 @@ TEST(Stated, StandingStillReturnsTheCadValuesAndSaysSo) {
   EXPECT_EQ(report.identifiability.inertia[2][2], Source::prior);
   EXPECT_TRUE(has(report, "from_what_you_gave"));
   EXPECT_FALSE(has(report, "mass_not_known"));
-  EXPECT_THAT(toText(report), testing::StartsWith("This motion cannot tell what your tool weighs; 0.80 kg is what you "
-                                                  "gave."));
+  EXPECT_THAT(toText(report),
+              testing::StartsWith("This motion does not determine the mass of your tool; 0.80 kg is your "
+                                  "own value."));
   EXPECT_TRUE(std::isnan(report.evidence.data(0))) << "the motion alone knows nothing";
 }
 
@@ -194,7 +195,7 @@ TEST(Stated, WeakDirectionsSpeakOfTheToolsOwnAxes) {
   const auto report = reportOf(standingStill(recordingOf(MotionKind::free, tool(), 38)), options);
   EXPECT_THAT(report.identifiability.weakDirections,
               testing::Contains(
-                  testing::HasSubstr("never turned fast enough about the tool's long axis (near the sensor's z)")));
+                  testing::HasSubstr("never rotated fast enough about the tool's long axis (near the sensor's z)")));
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ void expectRefused(const EstimateReport& report, const std::string& name) {
   // A payload that cannot exist stays refused; what matters here is the reason.
   const auto forced = toFlange(json, "result.json", force);
   const std::string reason = forced ? std::string() : forced.error().message;
-  EXPECT_EQ(reason.find("cannot be trusted"), std::string::npos) << reason;
+  EXPECT_EQ(reason.find("not reliable"), std::string::npos) << reason;
 }
 
 TEST(Trust, PlainRecordingsAreTrusted) {

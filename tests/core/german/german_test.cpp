@@ -110,7 +110,7 @@ TEST_F(German, Recordings) {
 TEST_F(German, MetaFiles) {
   const std::string row = std::string(kHeader) + "0,0,0,0,0,0,0,0,1,2,3,4,5,6\n0.1,0,0,0,0,0,0,0,1,2,3,4,5,6\n";
   EXPECT_THAT(aboutRecording(row, "{\"robot\": "), HasSubstr("kein gültiges JSON"));
-  EXPECT_THAT(aboutRecording(row, "[]"), HasSubstr("eine Meta-Datei muss ein JSON-Objekt {...} sein"));
+  EXPECT_THAT(aboutRecording(row, "[]"), HasSubstr("eine Aufbaudatei muss ein JSON-Objekt {...} sein"));
   EXPECT_THAT(aboutRecording(row, "{\"kind\": \"dance\"}"), HasSubstr("kind: muss \"motion\" oder \"poses\" sein"));
   EXPECT_THAT(
       aboutRecording(row, "{\"robot\": \"panda\", \"sensor\": {\"mount\": {\"xyz_m\": [0, 0, 107.5]}}}"),

@@ -65,7 +65,7 @@ TEST_F(ImportedConventions, AWrongMapFileIsRefused) {
   const std::pair<const char*, const char*> cases[] = {
       {R"({"sensor": {"wrench_axes": "tool"}})", "rec.map.json: sensor.wrench_axes: must be \"sensor\" or \"base\""},
       {R"({"sensor": {"mount": {}}})", "\"sensor.mount\" is not known"},
-      {R"({"sensor": "base"})", "\"sensor\" is no object"},
+      {R"({"sensor": "base"})", "\"sensor\" is not an object"},
       {R"({"angle_units": "deg"})", "\"angle_units\" is not known"},
       {R"({"angle_unit": "deg", "scale": {"joints": 0.0174532925}})", "scales joints by 0.0174532925, and angle_unit"},
       {R"({"length_unit": "mm", "scale": {"px": 0.001}})", "length_unit"},
@@ -129,7 +129,7 @@ TEST_F(ImportedConventions, AnglesAreUnwrappedBeforeTheyAreAveraged) {
   const auto read = openRecording(file, options);
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_THAT(allTexts(read->findings),
-              HasSubstr("angles_unwrapped: Angles that wrap around: whole turns were taken out of q3 and q5."));
+              HasSubstr("angles_unwrapped: Angles that wrap around: whole turns were removed from q3 and q5."));
   const Recording& recording = read->recording;
   ASSERT_GT(recording.rows(), 400);
   for (const int j : {2, 4}) {

@@ -73,7 +73,7 @@ TEST_F(OddHdf5, NothingButOddTypesIsOneSentence) {
   const auto& message = read.error().message;
   EXPECT_EQ(message.find('\n'), std::string::npos);
   for (const char* const part : {"no dataset of this HDF5 file is a table of numbers", "/table (a compound type)",
-                                 "/notes (text)", "/images (4 dimensions)", "one row a sample"})
+                                 "/notes (text)", "/images (4 dimensions)", "one row per sample"})
     EXPECT_THAT(message, ::testing::HasSubstr(part));
 }
 

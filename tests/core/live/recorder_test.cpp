@@ -145,7 +145,7 @@ TEST_F(LiveRecording, AFullDiskIsSaidAndWhatIsThereCanBeRead) {
   ::setrlimit(RLIMIT_FSIZE, &before);
   ::signal(SIGXFSZ, handler);
   EXPECT_FALSE(whole);
-  EXPECT_NE(recorder->problem().find("cannot be written any further"), std::string::npos) << recorder->problem();
+  EXPECT_NE(recorder->problem().find("can no longer be written"), std::string::npos) << recorder->problem();
   EXPECT_NE(recorder->problem().find("live.csv"), std::string::npos) << recorder->problem();
   EXPECT_FALSE(recorder->add(sampleAt(1001.0)));
   const auto read = readRecording(file);

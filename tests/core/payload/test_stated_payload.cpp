@@ -59,7 +59,7 @@ TEST(StatedPayload, NonsenseIsAnsweredWithASentence) {
   EXPECT_THAT(message(cad), HasSubstr("needs mass_kg"));
   cad = box();
   cad["inertia_com_kgm2"][0][0] = 0.03;
-  EXPECT_THAT(message(cad), HasSubstr("no real body"));
+  EXPECT_THAT(message(cad), HasSubstr("physically impossible"));
   cad = box();
   cad["weights"] = {{"mass", -1}};
   EXPECT_THAT(message(cad), HasSubstr("weights"));
@@ -70,7 +70,7 @@ TEST(StatedPayload, NonsenseIsAnsweredWithASentence) {
   cad = box();
   cad["certainty"] = "sure";
   EXPECT_THAT(message(cad), HasSubstr("rough"));
-  EXPECT_THAT(message(json::object()), HasSubstr("one at least"));
+  EXPECT_THAT(message(json::object()), HasSubstr("at least one"));
   EXPECT_THAT(message(json::array()), HasSubstr("object"));
 }
 

@@ -88,7 +88,7 @@ TEST(Columns, DuplicatesNameBothFields) {
   auto table = goodTable(Form::joints);
   table.addColumn("fx");
   EXPECT_THAT(failureOf(table.text()),
-              AllOf(StartsWith("rec.csv:1:15: "), HasSubstr("column fx is there twice: also as column 9")));
+              AllOf(StartsWith("rec.csv:1:15: "), HasSubstr("column fx appears twice: also as column 9")));
   auto loose = goodTable(Form::joints);
   loose.names[loose.column("q2")] = "Q2";
   loose.addColumn("q2 [rad]");
@@ -142,7 +142,7 @@ TEST(Columns, NamesThatAreNotUtf8AreShownSafely) {
 
 TEST(Columns, TooManyAreRefused) {
   EXPECT_THAT(failureOf("time" + std::string(200000, ',') + "\n"), HasSubstr("more than 10000 columns"));
-  EXPECT_THAT(failureOf(std::string(3 << 20, 'x') + "\n"), HasSubstr("no header"));
+  EXPECT_THAT(failureOf(std::string(3 << 20, 'x') + "\n"), HasSubstr("not a header"));
 }
 
 }  // namespace

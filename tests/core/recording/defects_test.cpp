@@ -151,7 +151,7 @@ TEST(Time, FallingIsAnErrorWithItsLine) {
   auto table = goodTable(Form::joints);
   table.cell(50, "time") = "0.1";
   EXPECT_THAT(failureOf(table.text()),
-              AllOf(StartsWith("rec.csv:52:1: "), HasSubstr("time falls from 0.49 s to 0.1 s")));
+              AllOf(StartsWith("rec.csv:52:1: "), HasSubstr("time decreases from 0.49 s to 0.1 s")));
 }
 
 TEST(Time, RepeatedStampsAreLeftOut) {

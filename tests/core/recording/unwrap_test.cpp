@@ -79,7 +79,7 @@ TEST(Unwrap, ReadersSayIt) {
   const auto* finding = findCode(read->findings, "angles_unwrapped");
   ASSERT_NE(finding, nullptr);
   EXPECT_EQ(finding->severity, Severity::info);
-  EXPECT_THAT(finding->text, HasSubstr("out of q7."));
+  EXPECT_THAT(finding->text, HasSubstr("removed from q7."));
   EXPECT_EQ(findCode(read->findings, "motion_jump"), nullptr);
   EXPECT_LT((read->recording.q - plain->recording.q).cwiseAbs().maxCoeff(), 1e-12);
 }

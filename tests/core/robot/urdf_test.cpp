@@ -139,7 +139,7 @@ TEST(Urdf, oddThingsAreWarnedOf) {
       {"joint_type", oneJoint(kGood, link("m") + joint("k", "floating", "l", "m")), "is floating"},
       {"detached",
        oneJoint(kGood, link("x") + link("y") + joint("p", "fixed", "x", "y") + joint("q", "fixed", "y", "x")),
-       "closed loop that hangs on nothing"},
+       "closed loop that is connected to nothing"},
       {"negative_mass", oneJoint(kGood, inertial("-2", R"(ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0")")),
        "mass of -2 kg"},
       {"unphysical_inertia", oneJoint(kGood, inertial("1", R"(ixx="1" iyy="1" izz="3" ixy="0" ixz="0" iyz="0")")),

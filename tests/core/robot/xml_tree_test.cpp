@@ -45,7 +45,7 @@ TEST(XmlTree, refusesWhatIsBrokenAndSaysWhere) {
       {"<a x/>", "'=' is missing after \"x\""},
       {"<a x=1/>", "\"x\" is not in quotation marks"},
       {"<a x=\"1/>", "\"x\" is never closed"},
-      {"<a x='1' x='2'/>", "\"x\" stands twice"},
+      {"<a x='1' x='2'/>", "\"x\" appears twice"},
       {"<a x='&nope;'/>", "\"&nope\" is not a known entity"},
       {"<a x='1 & 2'/>", "a plain '&' is written &amp;"},
       {"<a x='&#0;'/>", "not a known entity"},

@@ -110,8 +110,8 @@ TEST(EffectRequests, NonsenseGetsOneSentence) {
     return effect ? std::string("(fine)") : effect.error().message;
   };
   EXPECT_THAT(message("cable_pull"), HasSubstr("ID=SIZE"));
-  EXPECT_THAT(message("cable_pull="), HasSubstr("no number"));
-  EXPECT_THAT(message("cable_pull=3x"), HasSubstr("no number"));
+  EXPECT_THAT(message("cable_pull="), HasSubstr("not a number"));
+  EXPECT_THAT(message("cable_pull=3x"), HasSubstr("not a number"));
   EXPECT_THAT(message("cable_pull=nan"), HasSubstr("it can be 0 to"));
   EXPECT_THAT(message("cable_pull=-3"), HasSubstr("it can be 0 to"));
   EXPECT_THAT(message("cable_pull=1e9"), HasSubstr("it can be 0 to"));

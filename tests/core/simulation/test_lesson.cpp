@@ -60,7 +60,7 @@ TEST(LessonFile, SaysWhatIsWrongAndWhere) {
       {broken("/steps/1/sliders", "time_offset"), "\"steps[1].sliders\""},
       {broken("/answers/1/right", true), "\"answers\""},
       {broken("/answers/0/because", ""), "\"answers[0].because\""},
-      {nlohmann::json(3), "no lesson"}};
+      {nlohmann::json(3), "not a lesson"}};
   for (const auto& [lesson, place] : cases) {
     const auto read = parseLesson(lesson.dump(), "late.json");
     ASSERT_FALSE(read) << place;

@@ -118,7 +118,7 @@ TEST(NoContact, AMotorThatDisturbsIsUnknown) {
   const auto report = diagnosed(recording);
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
   EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
-  EXPECT_EQ(report.remaining.goesWith, "what the motor of joint 5 does") << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "the motor of joint 5") << said(report);
 }
 
 /// Strain wave gears let two joints lead and lag by 0.007 degrees, 50 times a turn: too fast to look like anything but
@@ -467,7 +467,7 @@ TEST(NoContact, ForcesThatTurnNothingAreUnknown) {
       if (recording.time(i) > at && recording.time(i) < at + 0.6) recording.wrench.row(i).head<3>() *= 1.05;
   const auto report = diagnosed(recording);
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
-  EXPECT_EQ(report.remaining.goesWith, "the load's size, on the forces alone") << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "the size of the load, on the forces alone") << said(report);
   EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
 }
 

@@ -175,7 +175,7 @@ TEST(TouchLaws, WhatBeginsWithALoadIsNone) {
     recording.wrench(i, 0) -= beyond;
     recording.wrench(i, 4) -= 0.1 * beyond;
   }
-  expectUnknown(recording, "the load's size");
+  expectUnknown(recording, "the size of the load");
 }
 
 /// Somebody sets the sensor computer's clock for a while: the readings there are of a moment later.

@@ -298,7 +298,7 @@ TEST(Corrected, ByAllThatWasFound) {
   for (const nlohmann::json& strange : {nlohmann::json::array(), nlohmann::json{{"schema", "heft.estimate/1"}}}) {
     const auto refused = correctedByAll(other, &RobotModel::panda(), strange, "other.json");
     ASSERT_FALSE(refused.ok());
-    EXPECT_NE(refused.error().message.find("other.json is no result of heft diagnose"), std::string::npos);
+    EXPECT_NE(refused.error().message.find("other.json is not a result of heft diagnose"), std::string::npos);
   }
 }
 
