@@ -127,7 +127,8 @@ TEST_F(CoachTest, SimulatedArmsCarryWhatTheirJointsCan) {
                                            "250",      "--payload", "heavy.json", "-o",         "heavy.csv"};
   const Outcome run = heft(simulated);
   EXPECT_EQ(run.exitCode, 1);
-  EXPECT_THAT(run.err, testing::ContainsRegex("Joint panda_joint[0-9] would need [0-9.]+ N m of the allowed [0-9.]+ N m"));
+  EXPECT_THAT(run.err,
+              testing::ContainsRegex("Joint panda_joint[0-9] would need [0-9.]+ N m of the allowed [0-9.]+ N m"));
   EXPECT_THAT(run.err, HasSubstr(" s into the motion"));
 }
 

@@ -79,7 +79,8 @@ TEST(Excitation, RefusesWhatTheJointsCannotHold) {
   heavy.solution.phi = toParameters(test::boxPayload(20.0, {0.1, 0.1, 0.1}, {0.0, 0.0, 0.1}));
   const auto excited = excite(t.recording, t.tool, t.segments, heavy);
   ASSERT_FALSE(excited.ok());
-  EXPECT_THAT(excited.error().message, testing::ContainsRegex("Joint panda_joint[0-9] would need [0-9.]+ N m of the allowed"));
+  EXPECT_THAT(excited.error().message,
+              testing::ContainsRegex("Joint panda_joint[0-9] would need [0-9.]+ N m of the allowed"));
   EXPECT_THAT(excited.error().message, testing::HasSubstr(" s into the motion"));
 }
 
