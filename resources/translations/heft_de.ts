@@ -9421,6 +9421,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The posture leaps here within one row: rows are missing, or two recordings were joined.</source>
         <translation>Die Haltung springt hier von einer Zeile zur nächsten: Zeilen fehlen, oder zwei Aufnahmen wurden aneinandergefügt.</translation>
     </message>
+    <message>
+        <source>The time stamps jitter by {:.2g} ms. At even steps of {:.4g} ms the motion is much smoother, so these were used.</source>
+        <translation>Die Zeitstempel streuen um {:.2g} ms. In gleichen Schritten von {:.4g} ms ist die Bewegung viel glatter; diese wurden verwendet.</translation>
+    </message>
 </context>
 <context>
     <name>heft::CarriedObjects</name>
