@@ -16,6 +16,7 @@
 #include "core/math/linear_algebra.h"
 #include "core/motion/motion_noise.h"
 #include "core/recording/channels.h"
+#include "core/recording/even_times.h"
 #include "core/recording/frozen.h"
 #include "core/recording/held.h"
 #include "core/recording/steps.h"
@@ -397,6 +398,12 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     mended = recording;
     mended->wrench = std::move(wrench);
   }
+  StampScatter scatter;
+  const auto even = evenTimes(recording, scatter);
+  if (even) {
+    if (!mended) mended = recording;
+    mended->time = *even;
+  }
   const Recording& cleaned = mended ? *mended : recording;
   EstimateOptions trial = options;
   const auto silent = silentChannels(cleaned.wrench);
@@ -480,6 +487,15 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
          heft::say("{} samples ({:.2g} %) had spikes in the wrench and were replaced by their neighbours.", spikes,
                    100.0 * static_cast<double>(spikes) / static_cast<double>(recording.rows())),
          {},
+         {}});
+  if (even)
+    best->findings.push_back(
+        {Severity::info,
+         "stamps_evened",
+         heft::say("The time stamps jitter by {:.2g} ms. At even steps of {:.4g} ms the motion is "
+                   "much smoother, so these were used.",
+                   1e3 * scatter.off, 1e3 * scatter.step),
+         heft::say("Let the source stamp its samples when they are measured, not when they are sent."),
          {}});
   progress(0.6, heft::say("Learning the sensor's noise"));
   const FitRows fit = fitRowsFor(cleaned, robot, trial, as, *best, std::move(widest));

@@ -4,35 +4,18 @@
 #include <cmath>
 
 #include "core/math/statistics.h"
+#include "core/recording/even_times.h"
 
 namespace heft {
 
 namespace {
 
 constexpr std::size_t kJudged = 100;             // Samples that are judged together,
-constexpr std::size_t kSettling = 20;            // but for the first of a stretch, in which the clock finds its phase
+constexpr Eigen::Index kSettling = 20;           // but for the first of a stretch, in which the clock finds its phase
 constexpr double kClearly = 0.25;                // Of the other's roughness, which is a square
 constexpr double kSteady = 0.2;                  // Of a step
 constexpr double kLost = 1.75, kTooEarly = 0.4;  // Steps since the sample before
 constexpr int kAgain = 3;
-
-/// How far each sample lies off the cubic through its two neighbours on both sides, squared and summed.
-template <class Samples, class Time>
-double roughness(const Samples& samples, std::size_t from, const Time& time) {
-  double out = 0.0;
-  for (std::size_t i = from + 2; i + 2 < samples.size(); ++i) {
-    const std::size_t about[] = {i - 2, i - 1, i + 1, i + 2};
-    VectorXd off = samples[i].motion;
-    for (const std::size_t a : about) {
-      double weight = 1.0;
-      for (const std::size_t b : about)
-        if (b != a) weight *= (time(samples[i]) - time(samples[b])) / (time(samples[a]) - time(samples[b]));
-      off -= weight * samples[a].motion;
-    }
-    out += off.squaredNorm();
-  }
-  return out;
-}
 
 }  // namespace
 
@@ -60,7 +43,7 @@ double EvenStamps::timeOf(double stamp, VectorXd motion) {
   }
   changed_ = false;
   recent_.push_back({stamp, followed(stamp), std::move(motion)});
-  if (step_ <= 0.0 ? recent_.size() == kSettling : recent_.size() == kJudged) judge();
+  if (step_ <= 0.0 ? std::ssize(recent_) == kSettling : recent_.size() == kJudged) judge();
   return used_ ? recent_.back().even : stamp;
 }
 
@@ -70,13 +53,21 @@ void EvenStamps::judge() {
   const bool first = step_ <= 0.0;
   step_ = median(steps);
   if (first || recent_.size() < kJudged) return;
-  for (std::size_t i = settled_; i < recent_.size(); ++i) off.push_back(recent_[i].stamp - recent_[i].even);
-  const double stamped = roughness(recent_, settled_, [](const Sample&s) { return s.stamp; }),
-               even = roughness(recent_, settled_, [](const Sample&s) { return s.even; });
+  const auto count = static_cast<Eigen::Index>(recent_.size());
+  VectorXd stamps(count), even(count);
+  MatrixXd motion(count, recent_.front().motion.size());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Sample& sample = recent_[static_cast<std::size_t>(i)];
+    stamps(i) = sample.stamp;
+    even(i) = sample.even;
+    motion.row(i) = sample.motion.transpose();
+    if (i >= settled_) off.push_back(sample.stamp - sample.even);
+  }
+  const double asStamped = roughness(stamps, motion, settled_), asEven = roughness(even, motion, settled_);
   const bool before = used_;
-  if (robustStd(off) > kSteady * step_ || stamped < kClearly * even)
+  if (robustStd(off) > kSteady * step_ || asStamped < kClearlySmoother * asEven)
     used_ = false;
-  else if (even < kClearly * stamped)
+  else if (asEven < kClearlySmoother * asStamped)
     used_ = true;
   changed_ = used_ && !before;
 }

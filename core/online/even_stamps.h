@@ -34,7 +34,7 @@ class EvenStamps {
   std::int64_t number_ = 0;
   double even_ = 0.0, step_ = 0.0;  ///< [s] Of the newest sample; usual, 0 while unknown
   int early_ = 0;                   ///< Samples in a row that came a step before they were due
-  std::size_t settled_;             ///< From which one of `recent_` on the clock is steady
+  Eigen::Index settled_;            ///< From which one of `recent_` on the clock is steady
   std::vector<Sample> recent_;
   bool used_ = false, changed_ = false;
 };

@@ -14,8 +14,8 @@
 #include "core/motion/mount_link.h"
 #include "core/online/block_learner.h"
 #include "core/online/online_words.h"
-#include "core/online/stamp_scatter.h"
 #include "core/online/tool_change.h"
+#include "core/recording/even_times.h"
 
 namespace heft {
 

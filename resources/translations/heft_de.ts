@@ -9587,6 +9587,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The tool changed at {:.1f} s: {:.2f} kg became {:.2f} kg. The estimate restarts with what came after.</source>
         <translation>Das Werkzeug wechselte bei {:.1f} s: Aus {:.2f} kg wurden {:.2f} kg. Die Schätzung beginnt mit dem, was danach kam, von vorn.</translation>
     </message>
+    <message>
+        <source>The time stamps jitter by {:.2g} ms. At even steps of {:.4g} ms the motion is much smoother, so these were used.</source>
+        <translation>Die Zeitstempel streuen um {:.2g} ms. In gleichen Schritten von {:.4g} ms ist die Bewegung viel glatter; diese wurden verwendet.</translation>
+    </message>
 </context>
 <context>
     <name>heft::CarriedObjects</name>

@@ -376,13 +376,12 @@ TEST(Rosbridge, TransformsAndAnInertialSensorAreRead) {
     bridge.sendText(R"({"op":"publish","topic":"/tf","msg":)" + transformsJson(0.4, k) + "}");
   ASSERT_TRUE(collected.reach(12));
   expectTheTool(collected);
-  const auto before = collected.samples().size();
   bridge.sendText(R"({"op":"publish","topic":"/hand/imu","msg":{"orientation":{"x":0,"y":0,"z":0,"w":1},)"
                   R"("angular_velocity":{"x":null,"y":0,"z":0},"linear_acceleration":{"x":1,"y":2,"z":9.5}}})");
-  ASSERT_TRUE(collected.reach(before + 1));
+  // Some of the transforms may come only now.
+  ASSERT_TRUE(eventually([&] { return collected.samples().back().accelerometer.has_value(); }));
   const auto felt = collected.samples().back();
   EXPECT_FALSE(felt.orientation);
-  ASSERT_TRUE(felt.accelerometer);
   EXPECT_EQ(*felt.accelerometer, Vector3d(1.0, 2.0, 9.5));
   EXPECT_FALSE(felt.gyroscope);  // one of its numbers is none
 }
