@@ -9384,7 +9384,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Beschleunigungssensor zeigt meist {:.3g}, weder 9.81 m/s2 noch 1 g, und bleibt beiseite: die Schwerkraft wurde herausgerechnet, oder er ist keiner.</translation>
     </message>
     <message>
-        <source>The model fits: only sensor noise and a slow drift of its zero remain.</source>
+        <source>The model fits: only sensor noise and a random walk of its zero remain.</source>
         <translation>Das Modell passt: Es bleiben nur das Rauschen des Sensors und sein Nullpunkt, der langsam wandert.</translation>
     </message>
     <message>
@@ -12433,7 +12433,7 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     </message>
     <message>
         <source>Walls t&amp;hat were touched</source>
-        <translation>Be&amp;rührte Wände</translation>
+        <translation>Berührte &amp;Wände</translation>
     </message>
 </context>
 <context>

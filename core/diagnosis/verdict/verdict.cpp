@@ -244,7 +244,7 @@ std::string verdictSentence(const DiagnosisReport& report) {
   switch (report.verdict) {
     case Verdict::clean:
       return std::ranges::any_of(report.findings, [](const Finding& f) { return f.code == "zero_wanders"; })
-                 ? heft::say("The model fits: only sensor noise and a slow drift of its zero remain.")
+                 ? heft::say("The model fits: only sensor noise and a random walk of its zero remain.")
                  : heft::say("The model fits: only sensor noise remains.");
     case Verdict::ambiguous: {
       const auto tied =
