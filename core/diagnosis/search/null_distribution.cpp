@@ -1,25 +1,50 @@
 #include "core/diagnosis/search/null_distribution.h"
-#include "core/diagnosis/model/linearisation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <random>
+#include <vector>
 
 #include "core/base/parallel.h"
 #include "core/base/say.h"
+#include "core/diagnosis/model/linearisation.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 
 namespace {
 
-/// Orthonormal columns of a form's whitened signatures, without what bias and payload can do.
+/// A form's whitened signatures where they are not zero, and what turns their products with noise into coordinates of
+/// unit variance: of the space that they span beside what bias, payload and known causes can do, or, of a subset, each
+/// by itself. Long recordings have thousands of forms that are local, so the columns of the whole are never kept.
 struct Direction {
-  MatrixXd Q;
+  Eigen::Index from = 0;  ///< Row of the whole that `columns` begin at
+  MatrixXd columns;
+  MatrixXd turn;  ///< A row a coordinate; none where nothing is left
   double penalty = 0.0;
   bool subset = false;
 };
+
+/// `beside`: products of what is known anyway (orthonormal columns) with the direction's.
+MatrixXd turnOf(const MatrixXd& columns, const MatrixXd& beside, bool subset) {
+  constexpr double kLeft = 1e-3;      // Of a column's length; less is rounding of what is known anyway
+  constexpr double kDistinct = 1e-9;  // Of the largest eigenvalue; less is a direction twice
+  const MatrixXd own = transposedProduct(columns, columns), G = own - transposedProduct(beside, beside);
+  std::vector<Eigen::Index> keep;
+  for (Eigen::Index j = 0; j < G.cols(); ++j)
+    if (own(j, j) > 0.0 && G(j, j) > kLeft * kLeft * own(j, j)) keep.push_back(j);
+  MatrixXd unit = MatrixXd::Zero(std::ssize(keep), columns.cols());  // Selects and scales
+  for (std::size_t k = 0; k < keep.size(); ++k)
+    unit(static_cast<Eigen::Index>(k), keep[k]) = 1.0 / std::sqrt(G(keep[k], keep[k]));
+  if (subset || keep.empty()) return unit;
+  const auto [values, vectors] = symmetricEigen(congruence(unit, G));
+  const Eigen::Index first = (values.array() <= kDistinct * values(values.size() - 1)).count();
+  const Eigen::Index count = values.size() - first;
+  const VectorXd scale = values.tail(count).cwiseSqrt().cwiseInverse();
+  return scale.asDiagonal() * transposedProduct(vectors.rightCols(count), unit);
+}
 
 }  // namespace
 
@@ -37,27 +62,14 @@ Surrogates surrogates(const Signals& signals, const std::vector<Stretch>& stretc
   const Eigen::Index rows = basis.rows();
   std::vector<Direction> directions(bank.size());
   parallelFor(bank.size(), [&](std::size_t i) {
-    MatrixXd C = MatrixXd::Zero(rows, bank[i].columns->cols());
-    C.middleRows(6 * bank[i].reach.from, bank[i].columns->rows()) =
-        whitened(*bank[i].columns, fit.noise, stretches, bank[i].reach.from);
-    const VectorXd own = C.colwise().norm().transpose();
-    C -= basis * (basis.transpose() * C);
-    std::vector<Eigen::Index> keep;
-    for (Eigen::Index j = 0; j < C.cols(); ++j)
-      if (own(j) > 0.0 && C.col(j).norm() > 1e-3 * own(j)) keep.push_back(j);
-    MatrixXd kept(rows, static_cast<Eigen::Index>(keep.size()));
-    for (std::size_t j = 0; j < keep.size(); ++j) kept.col(static_cast<Eigen::Index>(j)) = C.col(keep[j]).normalized();
-    Direction& out = directions[i];
     if (bank[i].form.walk) return;  // Never a verdict.
+    Direction& out = directions[i];
     out.penalty = 2.0 * std::log(static_cast<double>(forms.at(bank[i].form.cause)));
     out.subset = bank[i].form.subset;
-    if (keep.empty()) return;
-    // A free choice of columns needs them one by one; otherwise the space they span.
-    if (out.subset) {
-      out.Q = kept;
-    } else {
-      out.Q = orthonormal(kept);
-    }
+    out.from = 6 * bank[i].reach.from;
+    out.columns = whitened(*bank[i].columns, fit.noise, stretches, bank[i].reach.from);
+    out.turn =
+        turnOf(out.columns, transposedProduct(basis.middleRows(out.from, out.columns.rows()), out.columns), out.subset);
   });
 
   Surrogates out;
@@ -77,11 +89,14 @@ Surrogates surrogates(const Signals& signals, const std::vector<Stretch>& stretc
           noise(i, j) = r * std::cos(2.0 * 3.14159265358979323846 * v);
           noise(i + 1, j) = r * std::sin(2.0 * 3.14159265358979323846 * v);
         }
+    // What bias, payload and known causes explain of it anyway.
+    noise -= product(basis, transposedProduct(basis, noise));
     MatrixXd gains = MatrixXd::Constant(batch, static_cast<Eigen::Index>(directions.size()), -1e300);
     parallelFor(directions.size(), [&](std::size_t i) {
       const Direction& direction = directions[i];
-      if (direction.Q.cols() == 0) return;
-      const MatrixXd z = direction.Q.transpose() * noise;
+      if (direction.turn.rows() == 0) return;
+      const MatrixXd z = direction.turn * transposedProduct(direction.columns,
+                                                            noise.middleRows(direction.from, direction.columns.rows()));
       for (Eigen::Index j = 0; j < batch; ++j) {
         double gain = -direction.penalty;
         if (direction.subset) {
