@@ -36,12 +36,13 @@ RoomRow::RoomRow(Workspace* workspace, QWidget* parent) : QWidget(parent), works
          "of what presses back."));
   remove_ = new QPushButton(tr("Remove"), this);
   remove_->setObjectName("removeRoom");
-  for (QPushButton* button : {choose_, touched_, remove_}) {
-    button->setProperty("role", "plain");
-    buttons->addWidget(button);
-  }
+  for (QPushButton* button : {choose_, touched_, remove_}) button->setProperty("role", "plain");
+  // Three in a row are wider than the panel in German.
+  buttons->addWidget(choose_);
+  buttons->addWidget(touched_);
   buttons->addStretch(1);
   column->addLayout(buttons);
+  column->addWidget(remove_, 0, Qt::AlignLeft);
   connect(choose_, &QPushButton::clicked, this, &RoomRow::chooseWanted);
   connect(touched_, &QPushButton::clicked, this, &RoomRow::touchedWanted);
   connect(remove_, &QPushButton::clicked, this, [this] { workspace_->setRoom({}, tr("Remove the room")); });
