@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::size_t kJudged = 100;             // Samples that are judged together,
 constexpr Eigen::Index kSettling = 20;           // but for the first of a stretch, in which the clock finds its phase
-constexpr double kClearly = 0.25;                // Of the other's roughness, which is a square
 constexpr double kSteady = 0.2;                  // Of a step
 constexpr double kLost = 1.75, kTooEarly = 0.4;  // Steps since the sample before
 constexpr int kAgain = 3;

@@ -18,6 +18,8 @@
 namespace heft {
 namespace {
 
+const Payload kTool{0.8, {0.005, -0.01, 0.06}, Vector3d(0.0021, 0.0019, 0.0012).asDiagonal().toDenseMatrix()};
+
 class RecordingsTest : public RealWindowTest {
  protected:
   RecordingsTest() : RealWindowTest("recordings") {}
@@ -26,11 +28,7 @@ class RecordingsTest : public RealWindowTest {
     options.duration = 6.0;
     options.rateHz = 200.0;
     options.seed = seed;
-    Payload tool;
-    tool.mass = 0.8;
-    tool.com = {0.005, -0.01, 0.06};
-    tool.inertiaCom = Vector3d(0.0021, 0.0019, 0.0012).asDiagonal();
-    const auto made = simulate(RobotModel::panda(), tool, options);
+    const auto made = simulate(RobotModel::panda(), kTool, options);
     EXPECT_TRUE(made.ok());
     const QString path = folder.filePath(name);
     EXPECT_TRUE(writeRecording(made->recording, path.toStdString()).ok());
@@ -171,11 +169,7 @@ TEST_F(RecordingsTest, WallsThatTheToolTouchedBecomeTheRoom) {
   options.seed = 3;
   options.duration = 15.0;
   options.rateHz = 200.0;
-  Payload tool;
-  tool.mass = 0.8;
-  tool.com = {0.005, -0.01, 0.06};
-  tool.inertiaCom = Vector3d(0.0021, 0.0019, 0.0012).asDiagonal();
-  open(writeSimulated(folder, tool, options));
+  open(writeSimulated(folder, kTool, options));
   window.showStep(Step::record);
   settle();
   auto* button = part<QPushButton>("roomFromTouches");

@@ -10,6 +10,7 @@
 #include "core/workspace/marks.h"
 #include "ui/controller/diagnosis.h"
 #include "ui/controller/edit_command.h"
+#include "ui/controller/free_file.h"
 #include "ui/controller/joined_estimate.h"
 #include "ui/controller/open_recording.h"
 
@@ -97,9 +98,7 @@ void Workspace::open(const QStringList& paths) {
 
 void Workspace::addRecording(const Recording& recording, const QString& folder, const QString& name) {
   QDir().mkpath(folder);
-  QString path = QDir(folder).filePath(name + ".csv");
-  for (int k = 2; QFileInfo::exists(path); ++k)
-    path = QDir(folder).filePath(QStringLiteral("%1-%2.csv").arg(name).arg(k));
+  const QString path = freeFile(folder, name, QStringLiteral("csv"));
   const auto written = writeRecording(recording, path.toStdString());
   if (!written) return fail(written.error());
   open(path);

@@ -1,8 +1,8 @@
 #include "ui/live/live_run.h"
+#include "ui/controller/free_file.h"
 
 #include <QDir>
 #include <QFile>
-#include <QFileInfo>
 #include <algorithm>
 #include <utility>
 
@@ -17,14 +17,6 @@ constexpr double kPiece = 0.5;         ///< [s] of virtual time at once
 constexpr double kAdviseEvery = 2.5;   ///< [s] A ghost that is older stands where the arm no longer is.
 constexpr double kFirstAdvice = 0.5;   ///< [s]
 constexpr double kLongestTick = 0.25;  ///< [s] After a hitch the virtual arm does not run after the time lost.
-
-/// A file of this name, with a number where it exists.
-QString freeName(const QString& folder, const QString& name) {
-  QString file = QDir(folder).filePath(name + ".csv");
-  for (int k = 2; QFileInfo::exists(file); ++k)
-    file = QDir(folder).filePath(QStringLiteral("%1-%2.csv").arg(name).arg(k));
-  return file;
-}
 
 }  // namespace
 
@@ -44,7 +36,7 @@ Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   if (!setup.poses) {
     if (!QDir().mkpath(setup.folder))
       return Error{tr("The folder %1 for recordings cannot be created.").arg(setup.folder).toStdString()};
-    file = freeName(setup.folder, setup.name);
+    file = freeFile(setup.folder, setup.name, QStringLiteral("csv"));
     // Without a robot the first samples tell that it is a Panda, which the meta then has to say, too.
     if (auto recorded = session->record(file.toStdString(), setup.meta); !recorded) return recorded.error();
   }
@@ -289,7 +281,7 @@ Result<QString> LiveRun::keep() {
   if (!poses || kept.rows() < 2) return file;
   if (!QDir().mkpath(folder_))
     return Error{tr("The folder %1 for recordings cannot be created.").arg(folder_).toStdString()};
-  const QString path = freeName(folder_, name_);
+  const QString path = freeFile(folder_, name_, QStringLiteral("csv"));
   if (auto written = writeRecording(kept, path.toStdString()); !written) return written.error();
   return path;
 }

@@ -13,6 +13,7 @@
 
 #include "core/base/json_file.h"
 #include "core/recording/csv_reader.h"
+#include "ui/controller/free_file.h"
 #include "ui/controller/workspace.h"
 #include "ui/reality_panel/practice.h"
 #include "ui/reality_panel/what_if_knobs.h"
@@ -62,10 +63,7 @@ void LessonGuide::begin(const Lesson& lesson) {
   QDir().mkpath(practiceFolder());
   QString name = QString::fromStdString(lesson.title.in("en")).toLower();
   name.replace(QRegularExpression(QStringLiteral("[^a-z0-9]+")), QStringLiteral("-"));
-  for (int k = 1; k == 1 || QFileInfo::exists(file_); ++k)
-    file_ = QDir(practiceFolder())
-                .absoluteFilePath(QStringLiteral("lesson-%1%2.csv")
-                                      .arg(name.left(60), k == 1 ? QString() : QStringLiteral("-%1").arg(k)));
+  file_ = freeFile(practiceFolder(), QStringLiteral("lesson-") + name.left(60), QStringLiteral("csv"));
   knobs_->setOn(false);
   setStep(0);
   jobs_.start(

@@ -5,6 +5,7 @@
 
 #include "core/base/json_file.h"
 #include "core/compensation/touched_room.h"
+#include "ui/controller/free_file.h"
 #include "ui/controller/workspace.h"
 
 namespace heft {
@@ -27,15 +28,6 @@ Result<Room> roomIn(const Snapshot& now, const EstimateReport& report, const Sha
     return Error{why.toStdString()};
   }
   return roomOf(*touched, Room{}.margin);
-}
-
-/// REC.room.json beside the recording, numbered where that is taken.
-QString fileFor(const QString& recording) {
-  const QFileInfo info(recording);
-  const QString stem = info.absolutePath() + QLatin1Char('/') + info.completeBaseName() + QStringLiteral(".room");
-  QString file = stem + QStringLiteral(".json");
-  for (int i = 2; QFileInfo::exists(file); ++i) file = stem + QStringLiteral("-%1.json").arg(i);
-  return file;
 }
 
 }  // namespace
@@ -62,7 +54,9 @@ Result<bool> TouchedWalls::find() {
           if (!error.cancelled) emit ended(Severity::error, QString::fromStdString(error.message));
         };
         if (!room) return fail(room.error());
-        const QString file = fileFor(recording);
+        const QFileInfo info(recording);
+        const QString file =
+            freeFile(info.absolutePath(), info.completeBaseName() + QStringLiteral(".room"), QStringLiteral("json"));
         if (const auto written = writeTextFile(file.toStdString(), toJson(*room).dump(2) + "\n"); !written)
           return fail(written.error());
         workspace_->setRoom(file.toStdString(), tr("Walls that were touched"));

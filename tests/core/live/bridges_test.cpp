@@ -38,13 +38,13 @@ const char* const kAdvertise =
     R"({"id":11,"topic":"/js","encoding":"json","schemaName":"sensor_msgs/msg/JointState","schema":"{}","schemaEncoding":"jsonschema"},)"
     R"({"id":12,"topic":"/camera","encoding":"cdr","schemaName":"sensor_msgs/msg/Image","schema":"","schemaEncoding":"ros2msg"}]})";
 
+void advertiseAll(FakeBridge& self) {
+  self.sendText(R"({"op":"serverInfo","name":"x","capabilities":[]})");
+  self.sendText(kAdvertise);
+}
+
 TEST(Foxglove, SubscribesReadsAndComesBack) {
-  FakeBridge bridge("foxglove.sdk.v1",
-                    [](FakeBridge& self) {
-                      self.sendText(R"({"op":"serverInfo","name":"x","capabilities":[]})");
-                      self.sendText(kAdvertise);
-                    },
-                    {});
+  FakeBridge bridge("foxglove.sdk.v1", advertiseAll, {});
   Collected collected;
   const auto source = makeFoxgloveSource("127.0.0.1", bridge.port());
   ASSERT_TRUE(source->start(collected.sink()).ok());
@@ -89,12 +89,7 @@ TEST(Foxglove, SubscribesReadsAndComesBack) {
 }
 
 TEST(Foxglove, AFrameThatIsCutIsNoMessageAndTheConnectionComesBack) {
-  FakeBridge bridge("foxglove.sdk.v1",
-                    [](FakeBridge& self) {
-                      self.sendText(R"({"op":"serverInfo","name":"x","capabilities":[]})");
-                      self.sendText(kAdvertise);
-                    },
-                    {});
+  FakeBridge bridge("foxglove.sdk.v1", advertiseAll, {});
   Collected collected;
   const auto source = makeFoxgloveSource("127.0.0.1", bridge.port());
   ASSERT_TRUE(source->start(collected.sink()).ok());
