@@ -6,7 +6,7 @@
 # groff-base and the last four: validate.sh; dpkg-dev and file: cpack.)
 set -eu
 
-core="g++ cmake ninja-build ccache mold pkg-config libeigen3-dev nlohmann-json3-dev libcli11-dev libfmt-dev libceres-dev
+core="g++ cmake ninja-build ccache lld pkg-config libeigen3-dev nlohmann-json3-dev libcli11-dev libfmt-dev libceres-dev
       liburdfdom-dev libassimp-dev libsqlite3-dev libzstd-dev liblz4-dev libbz2-dev zlib1g-dev libhdf5-dev libmatio-dev libmimalloc-dev libboost-dev libfcl-dev libqhull-dev libgtest-dev libgmock-dev
       libmujoco-dev libsdformat-dev locales
       groff-base dpkg-dev file"
