@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
+#include <mutex>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -16,18 +17,9 @@ namespace heft::diagnosis {
 
 namespace {
 
-/// A form's whitened signatures where they are not zero, and what turns their products with noise into coordinates of
-/// unit variance: of the space that they span beside what bias, payload and known causes can do, or, of a subset, each
-/// by itself. Long recordings have thousands of forms that are local, so the columns of the whole are never kept.
-struct Direction {
-  Eigen::Index from = 0;  ///< Row of the whole that `columns` begin at
-  MatrixXd columns;
-  MatrixXd turn;  ///< A row a coordinate; none where nothing is left
-  double penalty = 0.0;
-  bool subset = false;
-};
-
-/// `beside`: products of what is known anyway (orthonormal columns) with the direction's.
+/// What turns products of whitened signatures with noise into coordinates of unit variance, a row a coordinate: of the
+/// space that they span beside what bias, payload and known causes can do, or, of a subset, each by itself; no row
+/// where nothing is left. `beside`: products of what is known anyway (orthonormal columns) with `columns`.
 MatrixXd turnOf(const MatrixXd& columns, const MatrixXd& beside, bool subset) {
   constexpr double kLeft = 1e-3;      // Of a column's length; less is rounding of what is known anyway
   constexpr double kDistinct = 1e-9;  // Of the largest eigenvalue; less is a direction twice
@@ -46,6 +38,39 @@ MatrixXd turnOf(const MatrixXd& columns, const MatrixXd& beside, bool subset) {
   return scale.asDiagonal() * transposedProduct(vectors.rightCols(count), unit);
 }
 
+/// Gain of evidence by recording (column) of coordinates of unit variance.
+VectorXd gainsOf(const MatrixXd& z, bool subset, double lnN) {
+  constexpr double kNothing = -1e300;
+  VectorXd out(z.cols());
+  for (Eigen::Index j = 0; j < z.cols(); ++j) {
+    if (subset) {
+      const double gain = (z.col(j).array().square() - lnN).cwiseMax(0.0).sum();
+      out(j) = gain > 0.0 ? gain : kNothing;
+    } else {
+      const double explained = z.col(j).squaredNorm();
+      out(j) = explained - complexityPenalty(explained, static_cast<double>(z.rows()), lnN);
+    }
+  }
+  return out;
+}
+
+/// White innovations, a recording a column: what whitening makes of simulated noise. Box-Muller, the same on every
+/// platform.
+MatrixXd whiteNoise(Eigen::Index rows, const std::vector<Stretch>& stretches, Eigen::Index count,
+                    std::mt19937_64& random) {
+  MatrixXd noise = MatrixXd::Zero(rows, count);
+  for (Eigen::Index j = 0; j < count; ++j)
+    for (const auto& s : stretches)
+      for (Eigen::Index i = 6 * s.from; i < 6 * s.to; i += 2) {
+        const double u = (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53;
+        const double v = (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53;
+        const double r = std::sqrt(-2.0 * std::log(u));
+        noise(i, j) = r * std::cos(2.0 * std::numbers::pi * v);
+        noise(i + 1, j) = r * std::sin(2.0 * std::numbers::pi * v);
+      }
+  return noise;
+}
+
 }  // namespace
 
 double Surrogates::pValue(double gain) const {
@@ -59,57 +84,33 @@ Surrogates surrogates(const Signals& signals, const std::vector<Stretch>& stretc
   std::map<const Cause*, int> forms;
   for (const auto& signature : bank) ++forms[signature.form.cause];
   const MatrixXd basis = explainedSpace(CachedJacobian(signals, fit.model).jacobian(), fit.noise, stretches);
-  const Eigen::Index rows = basis.rows();
-  std::vector<Direction> directions(bank.size());
-  parallelFor(bank.size(), [&](std::size_t i) {
-    if (bank[i].form.walk) return;  // Never a verdict.
-    Direction& out = directions[i];
-    out.penalty = 2.0 * std::log(static_cast<double>(forms.at(bank[i].form.cause)));
-    out.subset = bank[i].form.subset;
-    out.from = 6 * bank[i].reach.from;
-    out.columns = whitened(*bank[i].columns, fit.noise, stretches, bank[i].reach.from);
-    out.turn =
-        turnOf(out.columns, transposedProduct(basis.middleRows(out.from, out.columns.rows()), out.columns), out.subset);
-  });
-
-  Surrogates out;
-  constexpr int kBatch = 20;
+  // Long recordings have thousands of forms: whitened columns are made for one at a time, once a batch.
+  constexpr Eigen::Index kMostNumbers = 12'000'000;  // Of noise at a time, 96 MB
+  const auto batch = std::max<Eigen::Index>(1, kMostNumbers / std::max<Eigen::Index>(1, basis.rows()));
   std::mt19937_64 random(seed);
-  for (int done = 0; done < count && !progress.cancelled(); done += kBatch) {
+  Surrogates out;
+  for (Eigen::Index done = 0; done < count && !progress.cancelled(); done += batch) {
     progress(static_cast<double>(done) / count, heft::say("Running the search on simulated clean recordings"));
-    const int batch = std::min(kBatch, count - done);
-    // White innovations: what whitening makes of simulated noise. Box-Muller, the same on every platform.
-    MatrixXd noise = MatrixXd::Zero(rows, batch);
-    for (Eigen::Index j = 0; j < batch; ++j)
-      for (const auto& s : stretches)
-        for (Eigen::Index i = 6 * s.from; i < 6 * s.to; i += 2) {
-          const double u = (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53;
-          const double v = (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53;
-          const double r = std::sqrt(-2.0 * std::log(u));
-          noise(i, j) = r * std::cos(2.0 * 3.14159265358979323846 * v);
-          noise(i + 1, j) = r * std::sin(2.0 * 3.14159265358979323846 * v);
-        }
+    MatrixXd noise = whiteNoise(basis.rows(), stretches, std::min<Eigen::Index>(batch, count - done), random);
     // What bias, payload and known causes explain of it anyway.
     noise -= product(basis, transposedProduct(basis, noise));
-    MatrixXd gains = MatrixXd::Constant(batch, static_cast<Eigen::Index>(directions.size()), -1e300);
-    parallelFor(directions.size(), [&](std::size_t i) {
-      const Direction& direction = directions[i];
-      if (direction.turn.rows() == 0) return;
-      const MatrixXd z = direction.turn * transposedProduct(direction.columns,
-                                                            noise.middleRows(direction.from, direction.columns.rows()));
-      for (Eigen::Index j = 0; j < batch; ++j) {
-        double gain = -direction.penalty;
-        if (direction.subset) {
-          for (Eigen::Index k = 0; k < z.rows(); ++k) gain += std::max(0.0, z(k, j) * z(k, j) - lnN);
-        } else {
-          const double explained = z.col(j).squaredNorm();
-          gain += explained - complexityPenalty(explained, static_cast<double>(z.rows()), lnN);
-        }
-        if (direction.subset && gain == -direction.penalty) continue;
-        gains(j, static_cast<Eigen::Index>(i)) = gain;
-      }
+    VectorXd best = VectorXd::Constant(noise.cols(), -1e300);
+    std::mutex mutex;
+    parallelFor(bank.size(), [&](std::size_t i) {
+      const Signature& signature = bank[i];
+      if (signature.form.walk || progress.cancelled()) return;  // A walk is never a verdict.
+      const Eigen::Index from = 6 * signature.reach.from;
+      const MatrixXd columns = whitened(signature.columns->dense(), fit.noise, stretches, signature.reach.from);
+      const MatrixXd turn =
+          turnOf(columns, transposedProduct(basis.middleRows(from, columns.rows()), columns), signature.form.subset);
+      if (turn.rows() == 0) return;
+      const MatrixXd z = turn * transposedProduct(columns, noise.middleRows(from, columns.rows()));
+      const VectorXd gains = gainsOf(z, signature.form.subset, lnN).array() -
+                             2.0 * std::log(static_cast<double>(forms.at(signature.form.cause)));
+      const std::lock_guard lock(mutex);
+      best = best.cwiseMax(gains);
     });
-    for (Eigen::Index j = 0; j < batch; ++j) out.best.push_back(gains.row(j).maxCoeff());
+    if (!progress.cancelled()) out.best.insert(out.best.end(), best.begin(), best.end());
   }
   std::sort(out.best.begin(), out.best.end());
   if (!out.best.empty())

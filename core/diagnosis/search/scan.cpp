@@ -73,7 +73,7 @@ class Weighting {
 
   /// Standard deviation of each scanned parameter if it were the only one.
   VectorXd deviations(const Signature& signature) const {
-    const ChannelColumns C(*signature.columns, noise_, stretches_, signature.reach.from);
+    const ChannelColumns C(signature.columns->dense(), noise_, stretches_, signature.reach.from);
     const MatrixXd JC = J_.transposeTimes(C, signature.reach.from);
     const VectorXd squares = C.gram().diagonal();
     VectorXd out(C.cols());
@@ -86,7 +86,7 @@ class Weighting {
 
   /// Gain and score as the squares tell them, which is close where they are few.
   Answer firstGuess(const Signature& signature, double lnN) const {
-    const ChannelColumns C(*signature.columns, noise_, stretches_, signature.reach.from);
+    const ChannelColumns C(signature.columns->dense(), noise_, stretches_, signature.reach.from);
     const MatrixXd JC = J_.transposeTimes(C, signature.reach.from);
     const MatrixXd own = C.gram();
     const MatrixXd G = own - JC.transpose() * inverse_ * JC;
@@ -148,7 +148,7 @@ class Weighting {
     Wrenches residual = fit_.residual;
     Eigen::Map<VectorXd> left(residual.data(), residual.size());
     left -= jacobian_.times(answer.others);
-    left.segment(6 * signature.reach.from, signature.columns->rows()) -= *signature.columns * answer.gamma;
+    left.segment(6 * signature.reach.from, signature.columns->rows()) -= signature.columns->times(answer.gamma);
     score(answer, signature.form, fitNoise(residual, stretches_, fit_.noise.noiseScale).evidence - fit_.noise.evidence,
           lnN);
   }
@@ -191,7 +191,7 @@ void Signature::fill(const MatrixXd& all) {
   while (acts.to > 0 && isNothing(acts.to - 1)) --acts.to;
   while (acts.from < acts.to && isNothing(acts.from)) ++acts.from;
   reach = reachOf(acts, all.rows() / 6);
-  columns = std::make_shared<const MatrixXd>(all.middleRows(6 * reach.from, 6 * (reach.to - reach.from)));
+  columns = std::make_shared<const CompactColumns>(all.middleRows(6 * reach.from, 6 * (reach.to - reach.from)));
 }
 
 Signature signatureAt(double time, Form form, const LinearisationPoint& surroundings) {
@@ -268,12 +268,12 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
     if (!known.columns) known.fill(bare.signatures(known.form));
     out[i] = known;
     if (cause.addsToReadings() || map.isIdentity(0.0)) return;
-    const MatrixXd& columns = *known.columns;
+    const MatrixXd columns = known.columns->dense();
     MatrixXd mapped(columns.rows(), columns.cols());
     for (Eigen::Index j = 0; j < columns.cols(); ++j)
       Eigen::Map<Wrenches>(mapped.col(j).data(), 6, columns.rows() / 6).noalias() =
           map * Eigen::Map<const Wrenches>(columns.col(j).data(), 6, columns.rows() / 6);
-    out[i].columns = std::make_shared<const MatrixXd>(std::move(mapped));
+    out[i].columns = std::make_shared<const CompactColumns>(mapped);
   });
   return out;
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string_view>
 
+#include "core/diagnosis/model/compact_columns.h"
 #include "core/diagnosis/model/fit.h"
 #include "core/diagnosis/model/linearisation.h"
 
@@ -20,7 +21,7 @@ struct Candidate {
 /// A form's columns, ready to be tried on any residual.
 struct Signature {
   Form form;
-  std::shared_ptr<const MatrixXd> columns;  ///< 6 (reach.to - reach.from) x form.scan.size()
+  std::shared_ptr<const CompactColumns> columns;  ///< 6 (reach.to - reach.from) x form.scan.size()
   Stretch reach;                            ///< The blocks that they are of: outside, whitened or not, they are zero
 
   /// `all`: 6N x form.scan.size()
