@@ -6,7 +6,7 @@
 namespace {
 
 void keepLargePages(int, char**, char**) {
-  mi_option_enable(mi_option_large_os_pages);
+  mi_option_disable(mi_option_large_os_pages);
   mi_option_disable(mi_option_page_reset);
   mi_option_set(mi_option_eager_commit_delay, 0);
 }

@@ -140,7 +140,7 @@ Result<ReadPoses> readPoses(const Recording& recording, const RobotModel* robot)
       from.q = of.q.transpose();
       from.dq = from.ddq = MatrixXd::Zero(from.q.rows(), from.q.cols());
     }
-    return PosesSeen{signalsOf(of, from, robot)};
+    return PosesSeen{signalsOf(of, std::move(from), robot)};
   };
   ReadPoses out{*motion, recording, posesIn(recording, *motion), {}, {}, {}};
   out.told = conventions::check(conventions::questionOf(recording, *motion));

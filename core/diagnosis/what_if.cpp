@@ -177,7 +177,7 @@ Result<WhatIf> WhatIf::make(const Recording& recording, std::shared_ptr<const Ro
   if (!motion) return motion.error();
   auto parts = std::make_unique<Parts>();
   parts->robot = std::move(robot);
-  parts->signals = signalsOf(recording, *motion, parts->robot.get());
+  parts->signals = signalsOf(recording, *std::move(motion), parts->robot.get());
   parts->signals.usable = freeBlocks(parts->signals, segments);
   parts->stretches = stretchesOf(parts->signals.usable);
   if (parts->stretches.empty())

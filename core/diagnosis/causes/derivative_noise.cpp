@@ -156,7 +156,7 @@ class DerivativeNoise final : public Cause {
       }
       const Sharpening asked{form.choice[0], v(0), signals.gravity};
       addMove(signals, kinematics, *signals.sharpened->answer(asked, [&](const Sharpening&) {
-        return kinematicsOf(signals, sharp(signals.q), sharp(signals.dq), sharp(signals.ddq));
+        return kinematicsOf(signals, sharp(signals.q()), sharp(signals.dq()), sharp(signals.ddq()));
       }));
       return;
     }

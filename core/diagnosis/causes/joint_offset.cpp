@@ -38,7 +38,7 @@ class JointOffset final : public Cause {
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
     std::vector<int> joints;
-    for (int joint = 0; signals.robot != nullptr && joint < signals.q.rows(); ++joint)
+    for (int joint = 0; signals.robot != nullptr && joint < signals.q().rows(); ++joint)
       if (signals.joints->turnsAlone(joint)) joints.push_back(joint);
     for (const int joint : joints) {
       out.push_back(formOf(this, fmt::format("joint {}", joint + 1),

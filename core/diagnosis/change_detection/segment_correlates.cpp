@@ -140,13 +140,13 @@ struct Law {
 std::vector<Law> lawsOfMotors(const Signals& signals) {
   std::vector<Law> out;
   const Eigen::Index blocks = signals.blocks(), m = signals.samplesPerBlock;
-  for (Eigen::Index j = 0; signals.dq.cols() == signals.size() && j < signals.dq.rows(); ++j) {
-    const double still = kStillSpeed * signals.dq.row(j).cwiseAbs().maxCoeff(),
-                 most = std::max(1e-9, signals.ddq.row(j).cwiseAbs().maxCoeff());
+  for (Eigen::Index j = 0; signals.dq().cols() == signals.size() && j < signals.dq().rows(); ++j) {
+    const double still = kStillSpeed * signals.dq().row(j).cwiseAbs().maxCoeff(),
+                 most = std::max(1e-9, signals.ddq().row(j).cwiseAbs().maxCoeff());
     MatrixXd motor(2, blocks);
     for (Eigen::Index n = 0; n < blocks; ++n) {
-      motor(0, n) = signals.dq.row(j).segment(n * m, m).cwiseAbs().mean() > still ? 1.0 : 0.0;
-      motor(1, n) = signals.ddq.row(j).segment(n * m, m).cwiseAbs().mean() / most;
+      motor(0, n) = signals.dq().row(j).segment(n * m, m).cwiseAbs().mean() > still ? 1.0 : 0.0;
+      motor(1, n) = signals.ddq().row(j).segment(n * m, m).cwiseAbs().mean() / most;
     }
     out.push_back({Correlate(heft::toSay("the motor of joint {:.0f}"), static_cast<double>(j + 1)), std::move(motor),
                    kClearMajority});

@@ -49,7 +49,7 @@ Result<DiagnosisReport::Check> checkOn(const DiagnosisReport& report, const Reco
     return Error{heft::say("Causes are checked on motions only, not on standing poses.")};
   const auto motion = usualMotion(other, robot);
   if (!motion) return motion.error();
-  Signals signals = signalsOf(other, *motion, robot);
+  Signals signals = signalsOf(other, *std::move(motion), robot);
   const std::vector<bool> untouched = untouchedIn(other, *motion, signals);
   const auto stretches = stretchesOf(untouched);
   if (stretches.empty()) return Error{heft::say("{} has too little free motion to check a cause on it.", other.file)};
@@ -71,7 +71,7 @@ Result<DiagnosisReport::Check> checkOn(const DiagnosisReport& report, const Reco
     if (!righted) return righted.error();
     const auto moved = usualMotion(*righted, robot);
     if (!moved) return moved.error();
-    signals = signalsOf(*righted, *moved, robot);
+    signals = signalsOf(*righted, *std::move(moved), robot);
     signals.usable = untouched;
   }
   const Fit after = fitModel(signals, stretches, std::move(kept));

@@ -30,7 +30,7 @@ Result<Eigen::Matrix<double, Eigen::Dynamic, 6>> effectOf(const Model& model, co
   options.cutoffHz = kDefaultCutoffHz;
   const auto motion = motionOf(recording, robot, options);
   if (!motion) return motion.error();
-  const Signals signals = signalsOf(recording, *motion, robot);
+  const Signals signals = signalsOf(recording, *std::move(motion), robot);
   Model applied = model;
   if (!causes.empty())
     std::erase_if(applied.terms, [&](const Term& t) {
@@ -95,7 +95,7 @@ Result<Model> modelFromJson(const json& object, const Recording& recording, cons
   options.cutoffHz = kDefaultCutoffHz;
   const auto motion = motionOf(recording, robot, options);
   if (!motion) return motion.error();
-  const Signals signals = signalsOf(recording, *motion, robot);
+  const Signals signals = signalsOf(recording, *std::move(motion), robot);
   Model model;
   for (int i = 0; i < kLinear; ++i) {
     const json& value = object["bias_and_parameters"][static_cast<std::size_t>(i)];

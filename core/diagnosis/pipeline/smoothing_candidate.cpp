@@ -16,9 +16,21 @@ namespace {
 
 constexpr double kKept = 0.7;  ///< As kKeptTwiced, of a filter that is not
 
+/// What rowsOf() asks for.
+Motion motionIn(const Signals& signals) {
+  Motion out;
+  out.startTime = signals.startTime;
+  out.rateHz = signals.rateHz;
+  out.specificForce = signals.kinematics.specificForce;
+  out.omega = signals.kinematics.omega;
+  out.alpha = signals.kinematics.alpha;
+  out.wrench = signals.readings;
+  return out;
+}
+
 /// Contiguous blocks that automatic segmentation takes for contact.
-std::vector<Stretch> contactCandidates(const Recording& recording, const Motion& motion, const Signals& signals) {
-  const auto rows = rowsOf(motion, 50.0);
+std::vector<Stretch> contactCandidates(const Recording& recording, const Signals& signals) {
+  const auto rows = rowsOf(motionIn(signals), 50.0);
   const Segmentation segmentation = segmentRows(recording, rows, SegmentMode::automatic);
   std::vector<Stretch> out;
   for (const auto& segment : segmentation.segments) {
@@ -43,11 +55,11 @@ Result<SmoothingCandidate> smoothingCandidateOf(const Recording& recording, cons
                                                 const DiagnoseOptions& options, const std::vector<bool>& badRows) {
   auto motion = motionOf(cleaned, robot, smoothing);
   if (!motion) return motion.error();
-  SmoothingCandidate out{std::move(*motion), {}, smoothing.cutoffHz, {}, {}};
-  out.signals = signalsOf(cleaned, out.motion, robot);
+  const double keptHz = motion->keptHz;
+  SmoothingCandidate out{signalsOf(cleaned, std::move(*motion), robot), smoothing.cutoffHz, {}, {}};
   Signals& signals = out.signals;
   if (smoothing.denoise)
-    signals.keptHz = out.motion.keptHz;
+    signals.keptHz = keptHz;
   else if (smoothing.cutoffHz < kDefaultCutoffHz)
     signals.keptHz = (smoothing.twicing ? kKeptTwiced : kKept) * smoothing.cutoffHz;
   signals.denoised = smoothing.denoise;
@@ -55,7 +67,7 @@ Result<SmoothingCandidate> smoothingCandidateOf(const Recording& recording, cons
   const double edge = smoothing.denoise ? 0.5 : std::max(0.3, 3.0 / smoothing.cutoffHz);
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
   std::vector<MarkLabel> labels(static_cast<std::size_t>(signals.blocks()), MarkLabel::free);
-  if (mode != SegmentMode::automatic) labels = segmentRows(cleaned, rowsOf(out.motion, 50.0), mode).labels;
+  if (mode != SegmentMode::automatic) labels = segmentRows(cleaned, rowsOf(motionIn(signals), 50.0), mode).labels;
   // Contact is looked for where nobody said anything; what was marked is left out as it was marked.
   const auto leftOut = [&](double t) {
     return mode == SegmentMode::automatic && markedAt(recording, t).value_or(MarkLabel::free) != MarkLabel::free;
@@ -86,7 +98,7 @@ void lookForContact(SmoothingCandidate& candidate, const Recording& cleaned, con
   if (!mayTouch)
     candidate.holes.emplace();
   else
-    candidate.holes = contactCandidates(cleaned, candidate.motion, candidate.signals);
+    candidate.holes = contactCandidates(cleaned, candidate.signals);
 }
 
 std::vector<Stretch> holesOf(const SmoothingCandidate& candidate) {

@@ -12,7 +12,6 @@ namespace heft::diagnosis {
 
 /// The recording with its motion smoothed one way, and what may be judged of it.
 struct SmoothingCandidate {
-  Motion motion;
   Signals signals;
   double cutoffHz = 0.0;                      ///< Above which next to nothing is left
   std::optional<std::vector<Stretch>> holes;  ///< Blocks that automatic segmentation takes for contact, once looked for

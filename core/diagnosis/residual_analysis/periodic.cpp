@@ -240,7 +240,7 @@ std::vector<Wave> ripples(const Signals& signals, const std::vector<VectorXd>& a
   std::vector<Wave> out;
   for (std::size_t j = 0; j < angles.size(); ++j) {
     const double range = angles[j].maxCoeff() - angles[j].minCoeff();
-    const double fastest = signals.dq.row(static_cast<Eigen::Index>(j)).cwiseAbs().maxCoeff();
+    const double fastest = signals.dq().row(static_cast<Eigen::Index>(j)).cwiseAbs().maxCoeff();
     const double least = std::max(kFewestPerTurn, 2.0 * std::numbers::pi / std::max(1e-3, range));
     const double most =
         std::min(kMostPerTurn, 2.0 * std::numbers::pi * 0.4 * signals.blockRate() / std::max(1e-3, fastest));
@@ -279,9 +279,9 @@ std::vector<VectorXd> blockTimes(const Signals& signals) {
 std::vector<VectorXd> blockAngles(const Signals& signals) {
   std::vector<VectorXd> out;
   const Eigen::Index m = signals.samplesPerBlock;
-  for (Eigen::Index j = 0; signals.q.cols() == signals.size() && j < signals.q.rows(); ++j) {
+  for (Eigen::Index j = 0; signals.q().cols() == signals.size() && j < signals.q().rows(); ++j) {
     out.emplace_back(signals.blocks());
-    for (Eigen::Index n = 0; n < signals.blocks(); ++n) out.back()(n) = signals.q.row(j).segment(n * m, m).mean();
+    for (Eigen::Index n = 0; n < signals.blocks(); ++n) out.back()(n) = signals.q().row(j).segment(n * m, m).mean();
   }
   return out;
 }
@@ -324,18 +324,18 @@ BestWave bestWave(const Signals& signals, WaveKind kind, const WhitenedResidual&
 
 MatrixXd ripplesOfGears(const Signals& signals, const Vector10d& payload) {
   constexpr std::array<double, 2> kTimes{50.0, 100.0};  ///< A turn, of the usual strain wave gears
-  const Eigen::Index dof = signals.q.rows(), n = signals.size();
+  const Eigen::Index dof = signals.q().rows(), n = signals.size();
   MatrixXd out(6 * signals.blocks(), 4 * dof);
   const MatrixXd still = MatrixXd::Zero(dof, n);
-  const Kinematics rest = kinematicsOf(signals, signals.q, still, still);
+  const Kinematics rest = kinematicsOf(signals, signals.q(), still, still);
   for (Eigen::Index j = 0; j < dof; ++j) {
     MatrixXd unit = still;
     unit.row(j).setOnes();
-    Kinematics moved = kinematicsOf(signals, signals.q, still, unit);
+    Kinematics moved = kinematicsOf(signals, signals.q(), still, unit);
     moved.specificForce -= rest.specificForce;
     moved.alpha -= rest.alpha;
     const Wrenches perAcceleration = payloadWrench(moved, payload);
-    const auto q = signals.q.row(j).array(), dq = signals.dq.row(j).array(), ddq = signals.ddq.row(j).array();
+    const auto q = signals.q().row(j).array(), dq = signals.dq().row(j).array(), ddq = signals.ddq().row(j).array();
     for (std::size_t i = 0; i < kTimes.size(); ++i) {
       const double times = kTimes[i];
       const Eigen::ArrayXXd ofSine = times * (ddq * (times * q).cos() - times * dq.square() * (times * q).sin());

@@ -131,18 +131,18 @@ std::vector<Group> groups(const Signals& signals, const Fit& fit) {
         {heft::toSay("the direction in which the tool moves"),
          stacked(direction, stacked(aheadOfPlay(signals.position, 0.005), aheadOfPlay(signals.position, 0.03)))});
   }
-  if (signals.q.cols() == n) {
-    MatrixXd joints(2 * signals.q.rows(), n);
-    joints << signals.q.array().sin().matrix(), signals.q.array().cos().matrix();
+  if (signals.q().cols() == n) {
+    MatrixXd joints(2 * signals.q().rows(), n);
+    joints << signals.q().array().sin().matrix(), signals.q().array().cos().matrix();
     out.push_back({heft::toSay("the joint angles"), joints});
-    MatrixXd fast(4 * signals.q.rows(), n);
-    fast << (2.0 * signals.q).array().sin().matrix(), (2.0 * signals.q).array().cos().matrix(),
-        (4.0 * signals.q).array().sin().matrix(), (4.0 * signals.q).array().cos().matrix();
+    MatrixXd fast(4 * signals.q().rows(), n);
+    fast << (2.0 * signals.q()).array().sin().matrix(), (2.0 * signals.q()).array().cos().matrix(),
+        (4.0 * signals.q()).array().sin().matrix(), (4.0 * signals.q()).array().cos().matrix();
     out.push_back({heft::toSay("the joint angles, several times a turn"), fast, {}, kManyWaves});
     out.push_back({heft::toSay("the direction in which joints turn"),
-                   stacked((signals.dq.array() / (signals.dq.array().square() + 1e-3).sqrt()).matrix(),
-                           stacked(aheadOfPlay(signals.q, 0.04), aheadOfPlay(signals.q, 0.12)))});
-    out.push_back({heft::toSay("how hard the joints speed up and slow down"), signals.ddq.cwiseAbs()});
+                   stacked((signals.dq().array() / (signals.dq().array().square() + 1e-3).sqrt()).matrix(),
+                           stacked(aheadOfPlay(signals.q(), 0.04), aheadOfPlay(signals.q(), 0.12)))});
+    out.push_back({heft::toSay("how hard the joints speed up and slow down"), signals.ddq().cwiseAbs()});
     if (signals.robot != nullptr)
       out.push_back({heft::toSay("the joint angles, several times a turn"),
                      {},

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
 
 #include "core/base/parallel.h"
 #include "core/diagnosis/calibration.h"
-#include "core/diagnosis/causes/catalogue.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
@@ -177,106 +175,7 @@ class Weighting {
   VectorXd r_, Jr_;
 };
 
-Signature signatureOf(Form form, const LinearisationPoint& surroundings) {
-  Signature out{std::move(form), {}, {}};
-  out.fill(surroundings.signatures(out.form));
-  return out;
-}
-
 }  // namespace
-
-void Signature::fill(const MatrixXd& all) {
-  const auto isNothing = [&](Eigen::Index block) { return all.middleRows(6 * block, 6).isZero(0.0); };
-  Stretch acts{0, all.rows() / 6};
-  while (acts.to > 0 && isNothing(acts.to - 1)) --acts.to;
-  while (acts.from < acts.to && isNothing(acts.from)) ++acts.from;
-  reach = reachOf(acts, all.rows() / 6);
-  columns = std::make_shared<const CompactColumns>(all.middleRows(6 * reach.from, 6 * (reach.to - reach.from)));
-}
-
-Signature signatureAt(double time, Form form, const LinearisationPoint& surroundings) {
-  form.start(0) = std::clamp(time, form.parameters[0].lower, form.parameters[0].upper);
-  return signatureOf(std::move(form), surroundings);
-}
-
-SignatureBank::SignatureBank(const Signals& signals, const std::vector<std::string>& hidden) {
-  for (const auto& cause : catalogue()) {
-    if (std::find(hidden.begin(), hidden.end(), cause->id()) != hidden.end()) continue;
-    for (auto& form : cause->forms(signals))
-      if (!form.later) plain_.push_back({std::move(form), {}, {}});
-  }
-}
-
-bool SignatureBank::knows(std::string_view cause) const {
-  return std::ranges::any_of(plain_, [&](const Signature& s) { return s.form.cause->id() == cause; });
-}
-
-namespace {
-
-bool bends(const Term& t) { return t.form->cause->bendsGeometry(); }
-
-bool isNearly(const Term& a, const Term& b) {
-  if (a.form->cause != b.form->cause || a.form->name != b.form->name) return false;
-  const Shift shift = shiftBetween(a, b);
-  return std::max(shift.amplitude, shift.shape) <= kSmallShare;
-}
-
-}  // namespace
-
-SignatureBank::Changed& SignatureBank::changedBy(const Model& model) {
-  constexpr std::size_t kKept = 2;
-  std::vector<Term> by;
-  std::ranges::copy_if(model.terms, std::back_inserter(by), [](const Term& t) { return bends(t) || changesSums(t); });
-  const auto known = std::ranges::find_if(
-      changed_, [&](const Changed& changed) { return std::ranges::equal(changed.by, by, isNearly); });
-  if (known != changed_.end()) {
-    std::rotate(changed_.begin(), known, known + 1);
-  } else {
-    if (changed_.size() == kKept) changed_.pop_back();
-    changed_.insert(changed_.begin(), Changed{std::move(by), std::vector<Signature>(plain_.size())});
-  }
-  return changed_.front();
-}
-
-std::vector<Signature> SignatureBank::around(const Signals& signals, const Model& model,
-                                             const std::function<bool(const Form&)>& wanted) {
-  const bool bent = std::ranges::any_of(model.terms, bends),
-             matrixOnly = std::ranges::all_of(
-                 model.terms, [](const Term&t) { return !changesSums(t) || t.form->cause->isMatrix(*t.form); });
-  std::vector<std::size_t> which;
-  for (std::size_t i = 0; i < plain_.size(); ++i)
-    if (!wanted || wanted(plain_[i].form)) which.push_back(i);
-  std::vector<Signature> out(which.size());
-  const Model nothing;
-  const LinearisationPoint surroundings(signals, model), bare(signals, nothing);
-  const Matrix6d map = matrixOnly ? surroundings.sensorMatrix() : Matrix6d::Identity();
-  Changed* changed = bent || !matrixOnly ? &changedBy(model) : nullptr;
-  parallelFor(out.size(), [&](std::size_t i) {
-    Signature& known = plain_[which[i]];
-    const Cause& cause = *known.form.cause;
-    if (cause.bendsGeometry() || cause.changesSensor(known.form)) {
-      out[i] = signatureOf(known.form, surroundings);
-      return;
-    }
-    const bool moves = !matrixOnly || (bent && (cause.feelsMotion() || surroundings.turnsAxes()));
-    if (moves && !cause.addsToReadings()) {
-      Signature& there = changed->signatures[which[i]];
-      if (!there.columns) there = signatureOf(known.form, surroundings);
-      out[i] = there;
-      return;
-    }
-    if (!known.columns) known.fill(bare.signatures(known.form));
-    out[i] = known;
-    if (cause.addsToReadings() || map.isIdentity(0.0)) return;
-    const MatrixXd columns = known.columns->dense();
-    MatrixXd mapped(columns.rows(), columns.cols());
-    for (Eigen::Index j = 0; j < columns.cols(); ++j)
-      Eigen::Map<Wrenches>(mapped.col(j).data(), 6, columns.rows() / 6).noalias() =
-          map * Eigen::Map<const Wrenches>(columns.col(j).data(), 6, columns.rows() / 6);
-    out[i].columns = std::make_shared<const CompactColumns>(mapped);
-  });
-  return out;
-}
 
 std::vector<VectorXd> leastVisible(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
                                    const std::vector<Signature>& bank, double threshold) {

@@ -1,12 +1,10 @@
 #pragma once
 // The first look: how much each form of each cause would explain, linearly, around what is already accepted.
-#include <functional>
 #include <memory>
-#include <string_view>
 
-#include "core/diagnosis/model/compact_columns.h"
 #include "core/diagnosis/model/fit.h"
 #include "core/diagnosis/model/linearisation.h"
+#include "core/diagnosis/search/signature_bank.h"
 
 namespace heft::diagnosis {
 
@@ -16,49 +14,6 @@ struct Candidate {
   std::vector<bool> active;    ///< See Term::active
   double score = 0.0;          ///< Gain of evidence over the fit, less choicePenalty
   double choicePenalty = 0.0;  ///< For having had so many forms of this cause to choose from: 2 ln(count)
-};
-
-/// A form's columns, ready to be tried on any residual.
-struct Signature {
-  Form form;
-  std::shared_ptr<const CompactColumns> columns;  ///< 6 (reach.to - reach.from) x form.scan.size()
-  Stretch reach;                            ///< The blocks that they are of: outside, whitened or not, they are zero
-
-  /// `all`: 6N x form.scan.size()
-  void fill(const MatrixXd& all);
-};
-
-/// The form's signature with its place in time at `time` [s], or as near as it may lie.
-Signature signatureAt(double time, Form form, const LinearisationPoint& surroundings);
-
-/// The signatures of one recording, of every form of every cause but those hidden. What a cause adds is the same around
-/// every payload and is kept, also around terms that bend the motion or change the sensor as long as these hardly move;
-/// what does that itself is worked out anew each time.
-class SignatureBank {
- public:
-  SignatureBank() = default;
-  SignatureBank(const Signals& signals, const std::vector<std::string>& hidden);
-
-  /// Those of `wanted` forms around `model`, on two threads; `signals` are those of the construction but for what may
-  /// be judged.
-  std::vector<Signature> around(const Signals& signals, const Model& model,
-                                const std::function<bool(const Form&)>& wanted = {});
-
-  /// Whether the cause is looked for at all, also by forms that others grow into.
-  bool knows(std::string_view cause) const;
-
- private:
-  /// What causes add, around terms that change what comes of it.
-  struct Changed {
-    std::vector<Term> by;
-    std::vector<Signature> signatures;  ///< Each as in plain_
-  };
-
-  /// The one around what of `model` changes what causes add, or around nearly the same.
-  Changed& changedBy(const Model& model);
-
-  std::vector<Signature> plain_;  ///< Around nothing but a payload; columns once they were needed
-  std::vector<Changed> changed_;  ///< The last ones
 };
 
 /// Gains of evidence, best first. Each form is judged under the fit's noise and under white noise, since a strong

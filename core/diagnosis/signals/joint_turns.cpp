@@ -16,6 +16,18 @@ struct JointTurns::Cut {
       turnsFaster;  ///< Of S in J: position, velocity, acceleration, angular ones
 };
 
+namespace {
+
+/// How many answers are kept: more than a first look at all joints asks for, fewer of a long recording.
+std::size_t answersKept(Eigen::Index instants) {
+  constexpr std::size_t kMost = 40, kFewest = 8, kMostBytes = std::size_t{64} << 20;
+  constexpr std::size_t kBytesAnInstant = 3 * sizeof(Vector3d) + sizeof(Matrix3d);
+  return std::clamp(kMostBytes / (kBytesAnInstant * static_cast<std::size_t>(std::max<Eigen::Index>(1, instants))),
+                    kFewest, kMost);
+}
+
+}  // namespace
+
 JointTurns::JointTurns(const RobotModel& robot, int link, const Isometry3d& X_LS, MatrixXd q, MatrixXd dq, MatrixXd ddq)
     : robot_(robot),
       link_(link),
@@ -23,7 +35,8 @@ JointTurns::JointTurns(const RobotModel& robot, int link, const Isometry3d& X_LS
       q_(std::move(q)),
       dq_(std::move(dq)),
       ddq_(std::move(ddq)),
-      cuts_(static_cast<std::size_t>(q_.rows())) {}
+      cuts_(static_cast<std::size_t>(q_.rows())),
+      answers_(answersKept(q_.cols())) {}
 
 JointTurns::~JointTurns() = default;
 

@@ -28,6 +28,10 @@ class JointTurns {
   JointTurns(const RobotModel& robot, int link, const Isometry3d& X_LS, MatrixXd q, MatrixXd dq, MatrixXd ddq);
   ~JointTurns();
 
+  const MatrixXd& q() const { return q_; }
+  const MatrixXd& dq() const { return dq_; }
+  const MatrixXd& ddq() const { return ddq_; }
+
   /// Whether the joint turns, and no other with it: only such can be turned further here.
   bool turnsAlone(int joint) const;
 
@@ -55,7 +59,7 @@ class JointTurns {
   mutable std::mutex mutex_;
   mutable std::vector<FrameMotion> sensor_;  ///< Of S in B, for all cuts; like them made when first asked for
   mutable std::vector<std::unique_ptr<Cut>> cuts_;
-  mutable Memo<Asked, Kinematics> answers_{40};  ///< More than a first look at all joints asks for
+  mutable Memo<Asked, Kinematics> answers_;
 };
 
 }  // namespace heft::diagnosis

@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 #include <type_traits>
+#include <utility>
 
 #include "core/diagnosis/calibration.h"
 #include "core/diagnosis/signals/sensor_range.h"
@@ -14,14 +15,12 @@ namespace heft::diagnosis {
 
 double leftByNoise(const Signals& signals) { return std::min(kOverwhelming, kEventError * signals.smoothedAway); }
 
-Signals signalsOf(const Recording& recording, const Motion& motion, const RobotModel* robot) {
+const MatrixXd Signals::kNoJoints;
+
+Signals signalsOf(const Recording& recording, Motion motion, const RobotModel* robot) {
   Signals out;
   out.startTime = motion.startTime;
   out.rateHz = motion.rateHz;
-  out.kinematics = {motion.specificForce, motion.omega, motion.alpha, {}};
-  out.R_BS = motion.R_BS;
-  out.velocity = motion.velocity;
-  out.position = motion.position;
   out.gravity = recording.meta.gravity;
   out.range = sensorRange(recording.meta.sensorModel);
   out.positionKnown = motion.originAccelerationKnown;
@@ -31,17 +30,43 @@ Signals signalsOf(const Recording& recording, const Motion& motion, const RobotM
       out.robot = robot;
       out.link = *link;
       out.X_LS = poseFromXyzRpy(recording.meta.mount.xyz, recording.meta.mount.rpy);
-      out.q = motion.q;
-      out.dq = motion.dq;
-      out.ddq = motion.ddq;
       out.sharpened = std::make_shared<Memo<Sharpening, Kinematics>>(8);
-      out.joints = std::make_shared<const JointTurns>(*robot, out.link, out.X_LS, out.q, out.dq, out.ddq);
+      out.joints = std::make_shared<const JointTurns>(*robot, out.link, out.X_LS, std::move(motion.q),
+                                                      std::move(motion.dq), std::move(motion.ddq));
     }
   }
+  out.kinematics = {std::move(motion.specificForce), std::move(motion.omega), std::move(motion.alpha), {}};
+  out.R_BS = std::move(motion.R_BS);
+  out.velocity = std::move(motion.velocity);
+  out.position = std::move(motion.position);
   out.samplesPerBlock = std::max(1, static_cast<int>(std::lround(motion.rateHz / 50.0)));
   out.readings = motion.wrench;
   out.measured = averaged(out, out.readings);
   out.usable.assign(static_cast<std::size_t>(out.blocks()), true);
+  return out;
+}
+
+Signals partOf(const Signals& signals, Eigen::Index from, Eigen::Index to) {
+  const Eigen::Index m = signals.samplesPerBlock, first = from * m, count = (to - from) * m;
+  Signals out;
+  out.startTime = signals.time(first);
+  out.rateHz = signals.rateHz;
+  const Kinematics& whole = signals.kinematics;
+  out.kinematics = {whole.specificForce.middleCols(first, count),
+                    whole.omega.middleCols(first, count),
+                    whole.alpha.middleCols(first, count),
+                    {}};
+  const auto axes = signals.R_BS.begin() + first;
+  out.R_BS.assign(axes, axes + count);
+  out.velocity = signals.velocity.middleCols(first, count);
+  out.position = signals.position.middleCols(first, count);
+  out.gravity = signals.gravity;
+  out.range = signals.range;
+  out.positionKnown = signals.positionKnown;
+  out.samplesPerBlock = signals.samplesPerBlock;
+  out.readings = signals.readings.middleCols(first, count);
+  out.measured = signals.measured.middleCols(from, to - from);
+  out.usable.assign(signals.usable.begin() + from, signals.usable.begin() + to);
   return out;
 }
 

@@ -54,8 +54,7 @@ struct Signals {
   const RobotModel* robot = nullptr;  ///< With joints only: for causes that bend them.
   int link = 0;
   Isometry3d X_LS = Isometry3d::Identity();
-  MatrixXd q, dq, ddq;  ///< dof x K
-  std::shared_ptr<const JointTurns> joints;
+  std::shared_ptr<const JointTurns> joints;  ///< Null without them
   std::shared_ptr<Memo<Sharpening, Kinematics>> sharpened;
 
   int samplesPerBlock = 4;
@@ -72,10 +71,17 @@ struct Signals {
 
   Eigen::Index size() const { return kinematics.omega.cols(); }
   Eigen::Index blocks() const { return measured.cols(); }
+  /// The joints' motion, dof x K [rad, rad/s, rad/s2]; empty without joints.
+  const MatrixXd& q() const { return joints ? joints->q() : kNoJoints; }
+  const MatrixXd& dq() const { return joints ? joints->dq() : kNoJoints; }
+  const MatrixXd& ddq() const { return joints ? joints->ddq() : kNoJoints; }
   double time(Eigen::Index k) const { return startTime + static_cast<double>(k) / rateHz; }
   double blockTime(Eigen::Index n) const { return time(n * samplesPerBlock) + 0.5 * (samplesPerBlock - 1) / rateHz; }
   double blockRate() const { return rateHz / samplesPerBlock; }
   double duration() const { return static_cast<double>(size()) / rateHz; }
+
+ private:
+  static const MatrixXd kNoJoints;
 };
 
 /// Evidence that anything fast may gain of what a smoothed motion leaves: smoothing takes noise and a little of the
@@ -84,7 +90,10 @@ struct Signals {
 double leftByNoise(const Signals& signals);
 
 /// Signals of a recording whose motion has been worked out. `robot` must outlive them; null without joints.
-Signals signalsOf(const Recording& recording, const Motion& motion, const RobotModel* robot);
+Signals signalsOf(const Recording& recording, Motion motion, const RobotModel* robot);
+
+/// The blocks [from, to) as if nothing else had been recorded, without joints and what smoothing took.
+Signals partOf(const Signals& signals, Eigen::Index from, Eigen::Index to);
 
 /// Axes of S in B at each instant, as `kinematics` has them.
 inline const std::vector<Matrix3d>& axesOf(const Signals& signals, const Kinematics& kinematics) {

@@ -130,7 +130,7 @@ Result<std::vector<Witness>> witnesses(const Recording& recording, const RobotMo
   options.cutoffHz = kDefaultCutoffHz;
   const auto motion = motionOf(recording, robot, options);
   if (!motion) return motion.error();
-  const Signals signals = signalsOf(recording, *motion, robot);
+  const Signals signals = signalsOf(recording, *std::move(motion), robot);
   const Eigen::Index n = signals.size();
   Eigen::Matrix3Xd gravity(3, n), load = signals.kinematics.specificForce;
   for (Eigen::Index k = 0; k < n; ++k)

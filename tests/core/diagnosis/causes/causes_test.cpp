@@ -191,8 +191,31 @@ TEST(SignatureBank, IsWorkedOutAnewWhereTheModelHasMoved) {
   for (std::size_t i = 0; i < first.size(); ++i) {
     EXPECT_EQ(first[i].columns, near[i].columns) << first[i].form.name;
     EXPECT_EQ(first[i].columns, back[i].columns) << first[i].form.name;
-    EXPECT_GT((*first[i].columns - *far[i].columns).norm(), 1e-3 * first[i].columns->norm()) << first[i].form.name;
+    const MatrixXd columns = first[i].columns->dense();
+    EXPECT_GT((columns - far[i].columns->dense()).norm(), 1e-3 * columns.norm()) << first[i].form.name;
   }
+}
+
+/// What is kept without its zeros, and of what passes only where it passes, are the columns of the whole recording.
+TEST(SignatureBank, KeepsTheColumnsOfTheWholeRecording) {
+  const Signals& signals = prepared().signals;
+  const Model nothing;
+  const LinearisationPoint bare(signals, nothing);
+  SignatureBank bank(signals, {});
+  std::set<std::string> passing;
+  for (const Signature& signature : bank.around(signals, nothing)) {
+    const MatrixXd whole = bare.signatures(signature.form), kept = signature.columns->dense();
+    const Eigen::Index from = 6 * signature.reach.from, rows = kept.rows();
+    ASSERT_LE(from + rows, whole.rows()) << signature.form.name;
+    if (signature.form.local && !signature.form.atOnce) passing.insert(std::string(signature.form.cause->id()));
+    const double most = whole.cwiseAbs().maxCoeff();
+    EXPECT_LE((whole.middleRows(from, rows) - kept).cwiseAbs().maxCoeff(), 1e-9 * most) << signature.form.name;
+    EXPECT_TRUE(whole.topRows(from).isZero(0.0) && whole.bottomRows(whole.rows() - from - rows).isZero(0.0))
+        << signature.form.name;
+    const VectorXd ones = VectorXd::Ones(kept.cols());
+    EXPECT_LE((signature.columns->times(ones) - kept * ones).cwiseAbs().maxCoeff(), 1e-9 * most * ones.sum());
+  }
+  EXPECT_TRUE(passing.contains("contact"));
 }
 
 /// A form with sizes put into it by hand is estimated within its deviations: fit and model agree with each other.

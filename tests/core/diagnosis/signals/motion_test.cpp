@@ -22,7 +22,7 @@ TEST(JointTurns, AreWhatTheArmDoesWithOtherAngles) {
     for (const JointTurn& turn :
          {JointTurn{joint, 0.1}, JointTurn{joint, 0.0, 0.05, -0.03}, JointTurn{joint, -0.02, 0.0, 0.04}}) {
       ASSERT_TRUE(signals.joints->turnsAlone(joint));
-      MatrixXd q = signals.q, dq = signals.dq, ddq = signals.ddq;
+      MatrixXd q = signals.q(), dq = signals.dq(), ddq = signals.ddq();
       for (Eigen::Index k = 0; k < signals.size(); ++k) {
         const double s = std::sin(q(joint, k)), c = std::cos(q(joint, k)), off = turn.sine * s + turn.cosine * c,
                      slope = turn.sine * c - turn.cosine * s;
