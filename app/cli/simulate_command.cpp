@@ -173,7 +173,7 @@ void run(SimulateArguments options) {
     if (!effect) throw WrongUsage(fmt::format("--effect: {}", effect.error().message));
     options.simulate.effects.push_back(std::move(*effect));
   }
-  requireRange("--duration", options.simulate.duration, 1.0, 3600.0, "s");
+  requireRange("--duration", options.simulate.duration, 1.0, 14400.0, "s");
   requireRange("--rate", options.simulate.rateHz, 10.0, 8000.0, "Hz");
   requireRange("--speed", options.simulate.speed, 0.01, 2.0, "");
   requireRange("--force-noise", options.simulate.sensor.forceNoise, 0.0, 100.0, "N");

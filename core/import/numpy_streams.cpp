@@ -337,7 +337,7 @@ Result<StreamSet> readNumpyStreams(const std::filesystem::path& path, const Fiel
     add(std::move(*bytes), path.stem().string(), true);
   } else {
     // What one file unpacks to: 64 times its size and 1 GB are more than numbers of a sensor ever shrink by.
-    std::size_t left = 64 * bytes->size() + kMaxRecordingBytes;
+    std::size_t left = 64 * bytes->size() + (std::size_t{1} << 30);
     for (const auto& member : zipMembers(*bytes)) {
       if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
       if (!member.name.ends_with(".npy")) continue;

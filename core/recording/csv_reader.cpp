@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
+#include <optional>
 
 #include "core/base/json_file.h"
 #include "core/base/say.h"
@@ -17,7 +19,7 @@ namespace heft {
 
 namespace {
 
-constexpr std::size_t kMaxNumbers = 200'000'000;    ///< 1.6 GB in memory; short numbers in a file at the size limit.
+constexpr std::size_t kMaxNumbers = 1'000'000'000;  ///< 8 GB in memory: twelve hours of 23 columns at 1 kHz.
 constexpr std::size_t kMaxExtraCells = 20'000'000;  ///< Cells kept as text cost about 32 bytes each.
 
 /// Where a row that lacks values shows it first.
@@ -362,6 +364,23 @@ Result<ReadRecording> checkRecording(Recording recording, NumberForm form) {
   return read;
 }
 
+namespace {
+
+/// Why a long file is no table at all, as its beginning shows: gigabytes of something else are not read for that.
+std::optional<Error> noTable(const std::filesystem::path& csv, const std::string& name) {
+  constexpr std::size_t kHead = std::size_t{4} << 20;  // Several times the longest header
+  std::error_code ec;
+  if (const auto size = std::filesystem::file_size(csv, ec); ec || size <= kHead) return std::nullopt;
+  std::string head(kHead, '\0');
+  std::ifstream file(csv, std::ios::binary);
+  if (!file.read(head.data(), static_cast<std::streamsize>(kHead)))
+    return std::nullopt;  // Read as a whole, it says why
+  const auto header = csv::readHeader(head, name);
+  return header ? std::nullopt : std::optional(header.error());
+}
+
+}  // namespace
+
 Result<ReadRecording> readRecording(const std::filesystem::path& csv, const ReadOptions& options,
                                     const Progress& progress) {
   const auto name = displayName(csv);
@@ -379,6 +398,7 @@ Result<ReadRecording> readRecording(const std::filesystem::path& csv, const Read
         heft::say("the file has {} MB; recordings of up to {} MB are read.", size >> 20, kMaxRecordingBytes >> 20),
         heft::say("Split it, or keep fewer columns and a lower rate."));
   progress(0.0, "reading");
+  if (auto misfit = noTable(csv, name)) return *misfit;
   const auto text = readTextFile(csv, kMaxRecordingBytes);
   if (!text) return text.error();
 

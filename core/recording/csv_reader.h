@@ -17,8 +17,8 @@
 
 namespace heft {
 
-/// Larger files are refused before they are read.
-inline constexpr std::size_t kMaxRecordingBytes = std::size_t{1} << 30;
+/// Larger files are refused before they are read: some eight hours of text at 1 kHz.
+inline constexpr std::size_t kMaxRecordingBytes = std::size_t{8} << 30;
 
 struct ReadOptions {
   std::filesystem::path metaFile;  ///< Empty: NAME.meta.json beside NAME.csv if it exists.

@@ -77,19 +77,27 @@ TEST_F(RecordingFile, MissingFolderDeviceUnreadable) {
   }
 }
 
-TEST_F(RecordingFile, TwoGigabytesAreRefused) {
+TEST_F(RecordingFile, TenGigabytesAreRefused) {
   const auto file = write("huge.csv", goodTable(Form::joints).text());
   std::error_code ec;
-  std::filesystem::resize_file(file, std::uintmax_t{2} << 30, ec);  // sparse: takes no space
+  std::filesystem::resize_file(file, std::uintmax_t{10} << 30, ec);  // sparse: takes no space
   if (ec) GTEST_SKIP() << "No sparse files here: " << ec.message();
   EXPECT_THAT(failure(file),
-              AllOf(HasSubstr("huge.csv: "), HasSubstr("2048 MB"), HasSubstr("1024 MB"), HasSubstr("Split")));
+              AllOf(HasSubstr("huge.csv: "), HasSubstr("10240 MB"), HasSubstr("8192 MB"), HasSubstr("Split")));
+}
+
+TEST_F(RecordingFile, SevenGigabytesOfNothingAreNotRead) {
+  const auto file = write("zeros.csv", goodTable(Form::joints, 5).text());
+  std::error_code ec;
+  std::filesystem::resize_file(file, std::uintmax_t{7} << 30, ec);
+  if (ec) GTEST_SKIP() << "No sparse files here: " << ec.message();
+  EXPECT_THAT(failure(file), AllOf(HasSubstr("zeros.csv:"), HasSubstr("binary or damaged")));
 }
 
 TEST_F(RecordingFile, MoreNumbersThanMemoryHoldsAreRefusedAtOnce) {
   std::string text = goodTable(Form::orientation, 1).text();
-  text += std::string(20'000'000, '\n');
-  EXPECT_THAT(failureOf(text), AllOf(HasSubstr("rec.csv: "), HasSubstr("200 million numbers"), HasSubstr("Split")));
+  text += std::string(100'000'000, '\n');
+  EXPECT_THAT(failureOf(text), AllOf(HasSubstr("rec.csv: "), HasSubstr("1000 million numbers"), HasSubstr("Split")));
 }
 
 TEST_F(RecordingFile, NamesThatAreNotUtf8) {
