@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <span>
 
 #include "core/base/say.h"
@@ -91,7 +92,7 @@ class StreamGuess {
       addInOrder("joints", "q", "position", 20);
       addInOrder("velocities", "dq", "velocity", 20);
     } else if (stream_.type.empty()) {  // a table whose cells named the joints, none of them by a number
-      for (const std::string before : {"", "field."}) {
+      for (const auto& before : beforeLabelled("position")) {
         addInOrder("joints", "q", before + "position", 9);
         addInOrder("velocities", "dq", before + "velocity", 9);
       }
@@ -277,22 +278,42 @@ class StreamGuess {
     for (std::size_t f = 0; f < none; ++f)
       if (std::find(forms.begin(), forms.end(), stream_.fields[f]) != forms.end() || stream_.fields[f].ends_with(path))
         return f;
-    std::size_t found = none;
-    for (std::size_t f = 0; f < none; ++f) {
-      const auto& field = stream_.fields[f];
-      const auto open = field.rfind(quantity + "[");
-      if (open == std::string::npos || field.back() != ']') continue;
-      const auto label = field.substr(open + quantity.size() + 1, field.size() - open - quantity.size() - 2);
-      const auto endsWith = [](const std::string& longer, const std::string& shorter) {
-        if (longer.size() <= shorter.size() || !longer.ends_with(shorter)) return false;
-        const char mark = longer[longer.size() - shorter.size() - 1];
-        return mark == '_' || mark == '/' || mark == '-' || mark == '.';
-      };
-      if (!endsWith(label, name) && !endsWith(name, label)) continue;
-      if (found != none) return none;
-      found = f;
+    // By the label alone, then with a prefix on either side.
+    for (const bool whole : {true, false}) {
+      std::size_t found = none;
+      for (std::size_t f = 0; f < none; ++f) {
+        const auto label = labelOf(quantity, stream_.fields[f]);
+        if (label.empty() || isCommanded(names_[f].words) || (whole ? label != name : !endsWith(label, name) && !endsWith(name, label))) continue;
+        if (found != none) return none;
+        found = f;
+      }
+      if (found != none) return found;
     }
-    return found;
+    return none;
+  }
+
+  /// What stands before "position[elbow]" in the stream's fields: nothing, "field.", a topic and the like.
+  std::set<std::string> beforeLabelled(const std::string& quantity) const {
+    std::set<std::string> out;
+    for (std::size_t f = 0; f < stream_.fields.size(); ++f)
+      if (const auto& field = stream_.fields[f]; !isCommanded(names_[f].words) && !labelOf(quantity, field).empty())
+        if (const auto before = field.substr(0, field.rfind(quantity + "["));
+            before.empty() || before.back() == '.' || before.back() == '/')
+          out.insert(before);
+    return out;
+  }
+
+  /// "elbow" of "position[elbow]", whatever stands before it; empty for other fields.
+  static std::string labelOf(const std::string& quantity, const std::string& field) {
+    const auto open = field.rfind(quantity + "[");
+    if (open == std::string::npos || field.back() != ']') return {};
+    return field.substr(open + quantity.size() + 1, field.size() - open - quantity.size() - 2);
+  }
+
+  static bool endsWith(const std::string& longer, const std::string& shorter) {
+    if (longer.size() <= shorter.size() || !longer.ends_with(shorter)) return false;
+    const char mark = longer[longer.size() - shorter.size() - 1];
+    return mark == '_' || mark == '/' || mark == '-' || mark == '.';
   }
 
   /// Joints of a known arm by their names.

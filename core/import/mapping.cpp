@@ -44,6 +44,26 @@ std::string differsByNumber(const std::string& name, const std::string& other) {
   }
   return {};
 }
+
+/// The part of `mine`'s path that sets it apart from `other`, where both hold the same kind of thing: they differ by a
+/// number, or hold the same fields under another name ("/runs/morning", "/runs/evening"). Empty for anything else; two
+/// arms are not two demonstrations.
+std::string demonstrationOf(const Stream& mine, const Stream& other) {
+  if (auto name = differsByNumber(mine.name, other.name); !name.empty()) return name;
+  if (!mine.name.starts_with('/') || mine.fields != other.fields) return {};
+  const auto [a, b] = std::ranges::mismatch(mine.name, other.name);
+  const auto at = static_cast<std::size_t>(a - mine.name.begin());
+  if (a == mine.name.end() || b == other.name.end() || at == 0) return {};
+  const auto endMine = std::min(mine.name.find('/', at), mine.name.size());
+  const auto endOther = std::min(other.name.find('/', at), other.name.size());
+  const auto begin = mine.name.rfind('/', at - 1);
+  if (begin == std::string::npos || mine.name.substr(endMine) != other.name.substr(endOther)) return {};
+  for (const auto& part : {mine.name.substr(begin, endMine - begin), other.name.substr(begin, endOther - begin)})
+    for (const auto& word : wordsOf(part))
+      if (word == "left" || word == "right" || word == "l" || word == "r") return {};
+  return mine.name.substr(0, endMine);
+}
+
 class Chooser {
  public:
   Chooser(const std::vector<Stream>& streams, const MappingWishes& wishes, const std::vector<std::string>& jointNames,
@@ -95,7 +115,7 @@ class Chooser {
     if (chosen_.empty() || !streams_[stream].type.empty()) return false;
     const auto& mine = streams_[chosen_[0].stream];
     return mine.type.empty() && mine.file == streams_[stream].file &&
-           !differsByNumber(streams_[stream].name, mine.name).empty();
+           !demonstrationOf(streams_[stream], mine).empty();
   }
 
   bool take(const std::string& part) {
@@ -326,8 +346,8 @@ class Chooser {
     std::string mine;
     for (std::size_t s = 0; s < streams_.size(); ++s) {
       if (!ofAnotherDemonstration(s)) continue;
-      mine = differsByNumber(chosen.name, streams_[s].name);
-      const auto name = differsByNumber(streams_[s].name, chosen.name);
+      mine = demonstrationOf(chosen, streams_[s]);
+      const auto name = demonstrationOf(streams_[s], chosen);
       if (std::find(others.begin(), others.end(), name) == others.end()) others.push_back(name);
     }
     if (others.empty() || wishes_.use.contains(kDemonstration)) return;
@@ -383,7 +403,7 @@ std::vector<ColumnCandidate> rivalWrenches(const std::vector<Stream>& streams, c
         stream.clockless != streams[column->stream].clockless || out.size() == kMost)
       continue;
     // Of several demonstrations the first one is read, whatever the others hold.
-    if (stream.type.empty() && !differsByNumber(stream.name, streams[column->stream].name).empty()) continue;
+    if (stream.type.empty() && !demonstrationOf(stream, streams[column->stream]).empty()) continue;
     out.push_back(candidate);
   }
   return out;
