@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -83,6 +84,7 @@ class StreamGuess {
       if (fields.size() == 9) add("rotation", fields, 0, kMatrixColumns, 9, why());
     addInertial(accelerations, rates);
     addOtherPoses();
+    std::erase_if(joints, [&](const auto& entry) { return addAbbPose(entry.first, entry.second); });
     for (const auto& [family, fields] : joints) addJoints("joints", "q", family, fields);
     for (const auto& [family, fields] : velocities) addJoints("velocities", "dq", family, fields);
     if (!jointNames.empty()) {
@@ -218,6 +220,42 @@ class StreamGuess {
           column.unitNamed = true;
         }
     }
+  }
+
+  /// ABB's "X, Y, Z, Q1, Q2, Q3, Q4": four numbers of length one beside a place are a quaternion, its real part first,
+  /// and no joints. ABB counts in mm; a hand's reach tells them from m.
+  bool addAbbPose(const Words& family, const Family& fields) {
+    constexpr double kFartherThanAnyArm = 10.0;  // [m]
+    if (fields.size() != 4 || family.size() < 2 || family[family.size() - 2] != "q" || family.back() != "#")
+      return false;
+    const Words before(family.begin(), family.end() - 2);
+    Family place;
+    for (std::size_t f = 0; f < names_.size(); ++f) {
+      const Words& words = names_[f].words;
+      if (words.empty() || words.back().size() != 1 || Words(words.begin(), words.end() - 1) != before) continue;
+      if (const int axis = words.back()[0] - 'x'; axis >= 0 && axis < 3) place.try_emplace(axis, f);
+    }
+    if (place.size() != 3 || stream_.values.size() != names_.size()) return false;
+    const auto at = [&](std::size_t field, std::size_t k) { return stream_.values[field][k]; };
+    std::size_t unit = 0, rows = stream_.values[fields.begin()->second].size();
+    double farthest = 0.0;
+    for (std::size_t k = 0; k < rows; ++k) {
+      double squares = 0.0;
+      for (const auto& [index, field] : fields) squares += at(field, k) * at(field, k);
+      unit += std::abs(squares - 1.0) < 0.01 ? 1 : 0;
+      for (const auto& [axis, field] : place) farthest = std::max(farthest, std::abs(at(field, k)));
+    }
+    if (rows < 2 || 20 * unit < 19 * rows) return false;
+    Family turn;
+    for (const auto& [index, field] : fields) turn[(index - fields.begin()->first + 3) % 4] = field;
+    const std::string reason = heft::say("pose of an ABB, the quaternion's real part first");
+    add("quaternion", turn, 0, kQuaternionColumns, 8, reason);
+    add("position", place, 0, kPositionColumns, 8, reason);
+    for (auto& column : out_.back().columns) {
+      if (!column.unitNamed && farthest > kFartherThanAnyArm) column.scale = 0.001;
+      column.unitNamed = column.unitNamed || farthest > kFartherThanAnyArm;
+    }
+    return true;
   }
 
   void addJoints(const char* part, const char* prefix, const Words& family, const Family& fields) {

@@ -68,7 +68,7 @@ class Chooser {
  public:
   Chooser(const std::vector<Stream>& streams, const MappingWishes& wishes, const std::vector<std::string>& jointNames,
           Findings& findings)
-      : streams_(streams), wishes_(wishes), findings_(findings), candidates_(findCandidates(streams, jointNames)) {}
+      : streams_(streams), wishes_(wishes), findings_(findings), candidates_(findCandidates(streams, jointNames)), robotNamed_(!jointNames.empty()) {}
 
   Result<std::vector<ColumnSource>> run() {
     if (auto failure = keepDemonstration()) return *failure;
@@ -80,7 +80,7 @@ class Chooser {
     for (const char* const part : {"wrench", "joints", "quaternion", "rotation", "accelerometer"})
       if (has(part)) takeFrom(part, streamOf(part));
     if (!has("wrench")) take("wrench");
-    if (!hasMotion() && !take("joints") && !take("quaternion")) take("rotation");
+    if (!hasMotion()) takeMotion();
     for (const char* const part : {"quaternion", "rotation"})
       if (has(part) && !has("joints") && !has("position")) takeFrom("position", streamOf(part));
     if (has("joints") && !has("velocities")) takeFrom("velocities", streamOf("joints"));
@@ -130,6 +130,29 @@ class Chooser {
     if (best == nullptr) return false;
     use(*best);
     return true;
+  }
+
+  /// Joints of a robot that is not named tell nothing; a whole pose in their stream does. Seven are a Panda's.
+  void takeMotion() {
+    const auto best = [&](const char* part) {
+      return std::ranges::find_if(candidates_, [&](const auto& c) { return c.part == part && c.score >= 0; });
+    };
+    const auto joints = best("joints");
+    if (joints != candidates_.end() && !robotNamed_ && joints->columns.size() != 7 &&
+        best("position") != candidates_.end())
+      for (const char* const part : {"quaternion", "rotation"})
+        if (best(part) != candidates_.end() && take(part)) {
+          findings_.push_back(
+              {Severity::warning,
+               "pose_for_joints",
+               heft::say("There are {} joints but no robot is named, so the pose is read instead and taken for the "
+                         "sensor's.",
+                         joints->columns.size()),
+               remedy(Remedy::nameRobot),
+               {streams_[joints->columns[0].stream].file, 0, 0}});
+          return;
+        }
+    if (!take("joints") && !take("quaternion")) take("rotation");
   }
 
   /// --use demo=/data/demo_1: only what lies there.
@@ -365,6 +388,7 @@ class Chooser {
   const MappingWishes& wishes_;
   Findings& findings_;
   std::vector<ColumnCandidate> candidates_;
+  bool robotNamed_;
   std::vector<ColumnSource> chosen_;
 };
 
