@@ -321,7 +321,9 @@ class StreamGuess {
       std::size_t found = none;
       for (std::size_t f = 0; f < none; ++f) {
         const auto label = labelOf(quantity, stream_.fields[f]);
-        if (label.empty() || isCommanded(names_[f].words) || (whole ? label != name : !endsWith(label, name) && !endsWith(name, label))) continue;
+        if (label.empty() || isCommanded(names_[f].words) ||
+            (whole ? label != name : !endsWith(label, name) && !endsWith(name, label)))
+          continue;
         if (found != none) return none;
         found = f;
       }

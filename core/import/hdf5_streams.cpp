@@ -21,9 +21,9 @@ namespace {
 
 constexpr std::size_t kMostDatasets = 4096;
 
-/// Paths of all datasets, through hard, soft and external links. A group is not entered inside itself, and one that soft
-/// or external links lead to not again; the same holds for tables (compound types). What pandas keeps to search its
-/// tables is left out.
+/// Paths of all datasets, through hard, soft and external links. A group is not entered inside itself, and one that
+/// soft or external links lead to not again; the same holds for tables (compound types). What pandas keeps to search
+/// its tables is left out.
 class LinkWalk {
  public:
   explicit LinkWalk(hid_t file) {

@@ -67,8 +67,12 @@ std::string demonstrationOf(const Stream& mine, const Stream& other) {
 class Chooser {
  public:
   Chooser(const std::vector<Stream>& streams, const MappingWishes& wishes, const std::vector<std::string>& jointNames,
-          Findings& findings)
-      : streams_(streams), wishes_(wishes), findings_(findings), candidates_(findCandidates(streams, jointNames)), robotNamed_(!jointNames.empty()) {}
+          Findings& findings, bool poseForUnnamed)
+      : streams_(streams),
+        wishes_(wishes),
+        findings_(findings),
+        candidates_(findCandidates(streams, jointNames)),
+        poseForUnnamed_(poseForUnnamed && jointNames.empty()) {}
 
   Result<std::vector<ColumnSource>> run() {
     if (auto failure = keepDemonstration()) return *failure;
@@ -114,8 +118,7 @@ class Chooser {
   bool ofAnotherDemonstration(std::size_t stream) const {
     if (chosen_.empty() || !streams_[stream].type.empty()) return false;
     const auto& mine = streams_[chosen_[0].stream];
-    return mine.type.empty() && mine.file == streams_[stream].file &&
-           !demonstrationOf(streams_[stream], mine).empty();
+    return mine.type.empty() && mine.file == streams_[stream].file && !demonstrationOf(streams_[stream], mine).empty();
   }
 
   bool take(const std::string& part) {
@@ -138,7 +141,7 @@ class Chooser {
       return std::ranges::find_if(candidates_, [&](const auto& c) { return c.part == part && c.score >= 0; });
     };
     const auto joints = best("joints");
-    if (joints != candidates_.end() && !robotNamed_ && joints->columns.size() != 7 &&
+    if (joints != candidates_.end() && poseForUnnamed_ && joints->columns.size() != 7 &&
         best("position") != candidates_.end())
       for (const char* const part : {"quaternion", "rotation"})
         if (best(part) != candidates_.end() && take(part)) {
@@ -388,7 +391,7 @@ class Chooser {
   const MappingWishes& wishes_;
   Findings& findings_;
   std::vector<ColumnCandidate> candidates_;
-  bool robotNamed_;
+  bool poseForUnnamed_;
   std::vector<ColumnSource> chosen_;
 };
 
@@ -434,8 +437,9 @@ std::vector<ColumnCandidate> rivalWrenches(const std::vector<Stream>& streams, c
 }
 
 Result<std::vector<ColumnSource>> chooseColumns(const std::vector<Stream>& streams, const MappingWishes& wishes,
-                                                const std::vector<std::string>& jointNames, Findings& findings) {
-  return Chooser(streams, wishes, jointNames, findings).run();
+                                                const std::vector<std::string>& jointNames, Findings& findings,
+                                                bool poseForUnnamed) {
+  return Chooser(streams, wishes, jointNames, findings, poseForUnnamed).run();
 }
 
 }  // namespace heft

@@ -12,10 +12,10 @@ namespace heft {
 
 namespace {
 
-constexpr double kGapSteps = 5.0;       ///< A step of more than this many medians is a gap.
+constexpr double kGapSteps = 5.0;         ///< A step of more than this many medians is a gap.
 constexpr Eigen::Index kMostPoses = 200;  ///< So few rows at one a second may be a slow motion.
-constexpr double kSlowestMotion = 2.0;  ///< [s] A step above it is a wrong unit.
-constexpr double kLowestRate = 50.0;    ///< [Hz] Below it accelerations of a hand-guided arm are lost.
+constexpr double kSlowestMotion = 2.0;    ///< [s] A step above it is a wrong unit.
+constexpr double kLowestRate = 50.0;      ///< [Hz] Below it accelerations of a hand-guided arm are lost.
 
 std::string seconds(double value) {
   return value < 0.1 ? heft::say("{:.4g} ms", 1e3 * value) : heft::say("{:.4g} s", value);
@@ -84,8 +84,9 @@ std::optional<Error> checkSteps(const Examined& examined) {
                    (median >= 1e5   ? heft::say("Write time in seconds, not nanoseconds or microseconds.")
                     : median >= 1e3 ? heft::say("Write time in seconds, not microseconds.")
                                     : heft::say("Write time in seconds, not milliseconds.")) +
-                       " " + heft::say("Or state its unit in a map file (--map): {}.",
-                                       fmt::format(R"({{"scale": {{"time": {:g}}}}})", median >= 1e3 ? 1e-6 : 1e-3)) +
+                       " " +
+                       heft::say("Or state its unit in a map file (--map): {}.",
+                                 fmt::format(R"({{"scale": {{"time": {:g}}}}})", median >= 1e3 ? 1e-6 : 1e-3)) +
                        " " + remedy(Remedy::sayStandingPoses));
   if (median < 2e-5)
     examined.note(Severity::warning, "time_unit", examined.column(field),
