@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "core/import/mapping.h"
 #include "core/import/name_guess.h"
 #include "core/import/pose_names.h"
+#include "core/import/target.h"
 
 namespace heft {
 
@@ -222,38 +222,14 @@ class StreamGuess {
     }
   }
 
-  /// ABB's "X, Y, Z, Q1, Q2, Q3, Q4": four numbers of length one beside a place are a quaternion, its real part first,
-  /// and no joints. ABB counts in mm; a hand's reach tells them from m.
   bool addAbbPose(const Words& family, const Family& fields) {
-    constexpr double kFartherThanAnyArm = 10.0;  // [m]
-    if (fields.size() != 4 || family.size() < 2 || family[family.size() - 2] != "q" || family.back() != "#")
-      return false;
-    const Words before(family.begin(), family.end() - 2);
-    Family place;
-    for (std::size_t f = 0; f < names_.size(); ++f) {
-      const Words& words = names_[f].words;
-      if (words.empty() || words.back().size() != 1 || Words(words.begin(), words.end() - 1) != before) continue;
-      if (const int axis = words.back()[0] - 'x'; axis >= 0 && axis < 3) place.try_emplace(axis, f);
-    }
-    if (place.size() != 3 || stream_.values.size() != names_.size()) return false;
-    const auto at = [&](std::size_t field, std::size_t k) { return stream_.values[field][k]; };
-    std::size_t unit = 0, rows = stream_.values[fields.begin()->second].size();
-    double farthest = 0.0;
-    for (std::size_t k = 0; k < rows; ++k) {
-      double squares = 0.0;
-      for (const auto& [index, field] : fields) squares += at(field, k) * at(field, k);
-      unit += std::abs(squares - 1.0) < 0.01 ? 1 : 0;
-      for (const auto& [axis, field] : place) farthest = std::max(farthest, std::abs(at(field, k)));
-    }
-    if (rows < 2 || 20 * unit < 19 * rows) return false;
-    Family turn;
-    for (const auto& [index, field] : fields) turn[(index - fields.begin()->first + 3) % 4] = field;
-    const std::string reason = heft::say("pose of an ABB, the quaternion's real part first");
-    add("quaternion", turn, 0, kQuaternionColumns, 8, reason);
-    add("position", place, 0, kPositionColumns, 8, reason);
+    const auto pose = abbPose(names_, stream_.values, family, fields);
+    if (!pose) return false;
+    add("quaternion", pose->turn, 0, kQuaternionColumns, pose->score, pose->why);
+    add("position", pose->place, 0, kPositionColumns, pose->score, pose->why);
     for (auto& column : out_.back().columns) {
-      if (!column.unitNamed && farthest > kFartherThanAnyArm) column.scale = 0.001;
-      column.unitNamed = column.unitNamed || farthest > kFartherThanAnyArm;
+      if (!column.unitNamed && pose->millimetresAndDegrees) column.scale = 0.001;
+      column.unitNamed = column.unitNamed || pose->millimetresAndDegrees;
     }
     return true;
   }
@@ -272,7 +248,9 @@ class StreamGuess {
     if (fields.size() == 7) score += 2;
     score -= std::min(doubtOf(family), 9);
     // An arm has not also joints without a number: "wrist_1" to "wrist_3" are half of a UR.
-    if (stream_.type == "sensor_msgs/JointState" && inOrder("position").size() > fields.size() && fields.size() < 6)
+    if (fields.size() < 6 && std::ranges::any_of(beforeLabelled("position"), [&](const std::string& before) {
+          return inOrder(before + "position").size() > fields.size();
+        }))
       return;
     std::vector<std::string> names;
     for (std::size_t j = 1; j <= fields.size(); ++j) names.push_back(fmt::format("{}{}", prefix, j));
@@ -386,6 +364,21 @@ ColumnSource columnFrom(const std::vector<Stream>& streams, std::size_t stream, 
   }
   out.inBaseAxes = (column[0] == 'f' || column[0] == 't') && isTcpForce(name.words);
   return out;
+}
+
+double scaleWithin(const ColumnSource& column, const Conventions& conventions) {
+  const char first = column.column[0];
+  const bool matrix = column.column.size() == 3 && first == 'r' && column.column[1] >= '1' && column.column[1] <= '3';
+  const bool rotation = isRotation(column.column) && !matrix;
+  // Only a quaternion's or a joint's numbers pass through the stated unit of angles; other rotations do not.
+  if (rotation) return column.unitNamed ? column.scale : column.scale * conventions.radPerAngle;
+  if (!column.unitNamed) return column.scale;
+  if (first == 'q' || first == 'd' || first == 'i') return column.scale / conventions.radPerAngle;
+  if (first == 'p') return column.scale / conventions.mPerLength;
+  if (first == 'f') return column.scale / conventions.force.si;
+  if (first == 't') return column.scale / conventions.torque.si;
+  if (first == 'a') return column.scale / conventions.mPerS2PerAcceleration;
+  return column.scale;
 }
 
 std::vector<ColumnCandidate> findCandidates(const std::vector<Stream>& streams,

@@ -185,13 +185,16 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
       },
       filter, choice, progress, set);
   if (!added) return added.error();
-  if (!filterMissing.empty())
+  if (!filterMissing.empty()) {
+    // What cannot be unpacked is not damaged.
+    std::erase_if(set.findings, [](const Finding& finding) { return finding.code == "dataset_damaged"; });
     set.findings.push_back({Severity::error,
                             "filter_missing",
                             heft::say("datasets of the file are packed with {}.", filterMissing),
                             heft::say("Install that package, or rewrite the file with \"h5repack -f GZIP=4 IN OUT\" "
                                       "where the filter is at hand."),
                             {set.file, 0, 0}});
+  }
   return set;
 }
 

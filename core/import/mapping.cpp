@@ -10,6 +10,7 @@
 #include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
+#include "core/import/demonstrations.h"
 #include "core/import/field_name.h"
 #include "core/import/target.h"
 
@@ -22,46 +23,6 @@ constexpr const char* kSaidByUser = "chosen by the user";
 std::string shown(const Stream& stream) {
   if (stream.name.empty() || stream.name == "/") return stream.file;
   return stream.name;
-}
-
-/// The path of a stream up to the first part in which it differs from `other` by a number alone: "/data/demo_1" of
-/// several demonstrations. Empty if they differ otherwise.
-std::string differsByNumber(const std::string& name, const std::string& other) {
-  const auto withoutDigits = [](std::string_view text) {
-    std::string out;
-    for (const char c : text)
-      if (c < '0' || c > '9') out += c;
-    return out;
-  };
-  std::size_t a = 0, b = 0;
-  while (a < name.size() && b < other.size()) {
-    const auto endA = std::min(name.find('/', a + 1), name.size());
-    const auto endB = std::min(other.find('/', b + 1), other.size());
-    const auto mine = name.substr(a, endA - a), theirs = other.substr(b, endB - b);
-    if (mine != theirs) return withoutDigits(mine) == withoutDigits(theirs) ? name.substr(0, endA) : std::string();
-    a = endA;
-    b = endB;
-  }
-  return {};
-}
-
-/// The part of `mine`'s path that sets it apart from `other`, where both hold the same kind of thing: they differ by a
-/// number, or hold the same fields under another name ("/runs/morning", "/runs/evening"). Empty for anything else; two
-/// arms are not two demonstrations.
-std::string demonstrationOf(const Stream& mine, const Stream& other) {
-  if (auto name = differsByNumber(mine.name, other.name); !name.empty()) return name;
-  if (!mine.name.starts_with('/') || mine.fields != other.fields) return {};
-  const auto [a, b] = std::ranges::mismatch(mine.name, other.name);
-  const auto at = static_cast<std::size_t>(a - mine.name.begin());
-  if (a == mine.name.end() || b == other.name.end() || at == 0) return {};
-  const auto endMine = std::min(mine.name.find('/', at), mine.name.size());
-  const auto endOther = std::min(other.name.find('/', at), other.name.size());
-  const auto begin = mine.name.rfind('/', at - 1);
-  if (begin == std::string::npos || mine.name.substr(endMine) != other.name.substr(endOther)) return {};
-  for (const auto& part : {mine.name.substr(begin, endMine - begin), other.name.substr(begin, endOther - begin)})
-    for (const auto& word : wordsOf(part))
-      if (word == "left" || word == "right" || word == "l" || word == "r") return {};
-  return mine.name.substr(0, endMine);
 }
 
 class Chooser {
@@ -396,21 +357,6 @@ class Chooser {
 };
 
 }  // namespace
-
-double scaleWithin(const ColumnSource& column, const Conventions& conventions) {
-  const char first = column.column[0];
-  const bool matrix = column.column.size() == 3 && first == 'r' && column.column[1] >= '1' && column.column[1] <= '3';
-  const bool rotation = isRotation(column.column) && !matrix;
-  // Only a quaternion's or a joint's numbers pass through the stated unit of angles; other rotations do not.
-  if (rotation) return column.unitNamed ? column.scale : column.scale * conventions.radPerAngle;
-  if (!column.unitNamed) return column.scale;
-  if (first == 'q' || first == 'd' || first == 'i') return column.scale / conventions.radPerAngle;
-  if (first == 'p') return column.scale / conventions.mPerLength;
-  if (first == 'f') return column.scale / conventions.force.si;
-  if (first == 't') return column.scale / conventions.torque.si;
-  if (first == 'a') return column.scale / conventions.mPerS2PerAcceleration;
-  return column.scale;
-}
 
 std::vector<ColumnCandidate> rivalWrenches(const std::vector<Stream>& streams, const MappingWishes& wishes,
                                            const std::vector<ColumnSource>& chosen) {

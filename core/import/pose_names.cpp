@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 #include "core/base/say.h"
@@ -120,6 +121,38 @@ void addMatrices(const std::vector<FieldName>& names, std::vector<SpelledPose>& 
 }
 
 }  // namespace
+
+std::optional<SpelledPose> abbPose(const std::vector<FieldName>& names, const std::vector<std::vector<double>>& values,
+                                   const Words& family, const Family& fields) {
+  constexpr double kFartherThanAnyArm = 10.0;  // [m]: ABB counts in mm
+  if (fields.size() != 4 || family.size() < 2 || family[family.size() - 2] != "q" || family.back() != "#")
+    return std::nullopt;
+  const Words before(family.begin(), family.end() - 2);
+  SpelledPose pose{{}, {}, SpelledPose::Turn::quaternion, 8, {}, false};
+  for (std::size_t f = 0; f < names.size(); ++f) {
+    const Words& words = names[f].words;
+    if (words.empty() || words.back().size() != 1 || Words(words.begin(), words.end() - 1) != before) continue;
+    if (const int axis = words.back()[0] - 'x'; axis >= 0 && axis < 3) pose.place.try_emplace(axis, f);
+  }
+  if (pose.place.size() != 3 || values.size() != names.size()) return std::nullopt;
+  const std::size_t rows = values[fields.begin()->second].size();
+  const auto whole = [&](const auto& entry) { return values[entry.second].size() == rows; };
+  if (!std::ranges::all_of(pose.place, whole) || !std::ranges::all_of(fields, whole)) return std::nullopt;
+  std::size_t unit = 0;
+  double farthest = 0.0;
+  for (std::size_t k = 0; k < rows; ++k) {
+    double squares = 0.0;
+    for (const auto& [index, field] : fields) squares += values[field][k] * values[field][k];
+    unit += std::abs(squares - 1.0) < 0.01 ? 1 : 0;
+    for (const auto& [axis, field] : pose.place) farthest = std::max(farthest, std::abs(values[field][k]));
+  }
+  if (rows < 2 || 20 * unit < 19 * rows) return std::nullopt;
+  const int first = fields.begin()->first;
+  for (const auto& [index, field] : fields) pose.turn[(index - first + 3) % 4] = field;
+  pose.millimetresAndDegrees = farthest > kFartherThanAnyArm;
+  pose.why = heft::say("pose of an ABB, the quaternion's real part first");
+  return pose;
+}
 
 std::vector<SpelledPose> spelledPoses(const std::vector<FieldName>& names) {
   std::vector<SpelledPose> out;

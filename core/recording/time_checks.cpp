@@ -78,14 +78,14 @@ std::optional<Error> checkSteps(const Examined& examined) {
   if (counted)
     return errorAt(examined.at(1, field),
                    heft::say("the time increases by exactly 1 from row to row, like row numbers."),
-                   heft::say("State the rate with --rate HZ.") + " " + remedy(Remedy::sayStandingPoses));
+                   remedy(Remedy::stateRate) + " " + remedy(Remedy::sayStandingPoses));
   if (median > kSlowestMotion || (median > 0.2 && time.size() > 1000))
     return errorAt(examined.at(1, field), heft::say("the time increases by {:.6g} s from row to row (median).", median),
                    (median >= 1e5   ? heft::say("Write time in seconds, not nanoseconds or microseconds.")
                     : median >= 1e3 ? heft::say("Write time in seconds, not microseconds.")
                                     : heft::say("Write time in seconds, not milliseconds.")) +
                        " " +
-                       heft::say("Or state its unit in a map file (--map): {}.",
+                       heft::say("Or state its unit in a map file: {}.",
                                  fmt::format(R"({{"scale": {{"time": {:g}}}}})", median >= 1e3 ? 1e-6 : 1e-3)) +
                        " " + remedy(Remedy::sayStandingPoses));
   if (median < 2e-5)
