@@ -119,7 +119,7 @@ TEST(Accelerometer, ItsWholeMountIsFoundWhereTheMotionIsKnown) {
     s.col(k) = feltAt(motion->time(k), Vector3d::Zero());
   }
   const Eigen::Matrix3Xd none(3, 0);
-  const auto mount = mountOf({readings, s, motion->omega, motion->alpha, none}, true);
+  const auto mount = mountOf({readings, s, motion->omega, motion->alpha, none, none}, true);
   ASSERT_TRUE(mount);
   EXPECT_LT(degreesBetween(mount->R_SI, rotationFromRpy(kMountRpy)), 0.1);
   EXPECT_LT((mount->p_SoI_S - kLever).norm(), 0.003);
