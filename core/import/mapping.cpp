@@ -18,8 +18,6 @@ namespace heft {
 
 namespace {
 
-constexpr int kNearlyAsGood = 2;  ///< Scores that differ by less say nothing.
-constexpr const char* kSaidByUser = "chosen by the user";
 std::string shown(const Stream& stream) {
   if (stream.name.empty() || stream.name == "/") return stream.file;
   return stream.name;
@@ -82,12 +80,45 @@ class Chooser {
     return mine.type.empty() && mine.file == streams_[stream].file && !demonstrationOf(streams_[stream], mine).empty();
   }
 
+  /// 'l' or 'r' where a field's name says on which of two arms it is; 0 where it does not.
+  char sideOf(const ColumnSource& column) const {
+    for (const auto& word : wordsOf(nameOf(column)))
+      if (word == "left" || word == "right") return word[0];
+    return 0;
+  }
+
+  /// Two arms in one recording: the other one's candidates do not go with what was chosen for `part`.
+  bool ofAnotherSide(const ColumnCandidate& candidate, const std::string& part) const {
+    const auto chosen = std::ranges::find(chosen_, part, [](const auto& c) { return partOf(c.column); });
+    const char mine = chosen == chosen_.end() ? 0 : sideOf(*chosen), other = sideOf(candidate.columns[0]);
+    return mine != 0 && other != 0 && mine != other;
+  }
+
+  /// Joints of two arms in one stream, where nothing says which one carries the sensor.
+  void sayOtherJoints() {
+    const auto mine = std::ranges::find(chosen_, "joints", [](const auto& c) { return partOf(c.column); });
+    if (mine == chosen_.end() || mine->why == kSaidByUser || sideOf(*mine) == 0) return;
+    for (const auto& candidate : candidates_) {
+      const auto& first = candidate.columns[0];
+      if (candidate.part != "joints" || first.stream != mine->stream || candidate.score < 0 ||
+          !ofAnotherSide(candidate, "joints") || ofAnotherSide(candidate, "wrench"))
+        continue;
+      findings_.push_back({Severity::warning,
+                           "joints_of_several",
+                           heft::say("Joints of two arms are there; {} was used, and it could also be {}.",
+                                     nameOf(*mine), nameOf(first)),
+                           heft::say("Choose the joints one by one, for instance --use q1={}.", nameOf(first)),
+                           {streams_[mine->stream].file, 0, 0}});
+      return;
+    }
+  }
+
   bool take(const std::string& part) {
     const ColumnCandidate* best = nullptr;
     for (const auto& candidate : candidates_) {
       if (candidate.part != part || candidate.score < 0) continue;
       if (best == nullptr) best = &candidate;
-      if (ofAnotherDemonstration(candidate.columns[0].stream)) continue;
+      if (ofAnotherDemonstration(candidate.columns[0].stream) || ofAnotherSide(candidate, "wrench")) continue;
       best = &candidate;
       break;
     }
@@ -149,6 +180,7 @@ class Chooser {
       if (candidate.part != part || candidate.score < 0 || candidate.columns[0].stream != stream) continue;
       if (part == "position" && transformOf(nameOf(candidate.columns[0])) != frame) continue;
       if (part == "velocities" && static_cast<long>(candidate.columns.size()) != joints) continue;
+      if (ofAnotherSide(candidate, part == "velocities" ? "joints" : "wrench")) continue;
       use(candidate);
       return;
     }
@@ -305,6 +337,7 @@ class Chooser {
              {stream.file, 0, 0}});
     }
     sayDemonstrations();
+    sayOtherJoints();
     sayTransform();
     findings_.push_back({Severity::info,
                          "sources",
@@ -357,30 +390,6 @@ class Chooser {
 };
 
 }  // namespace
-
-std::vector<ColumnCandidate> rivalWrenches(const std::vector<Stream>& streams, const MappingWishes& wishes,
-                                           const std::vector<ColumnSource>& chosen) {
-  constexpr std::size_t kMost = 4;
-  std::vector<ColumnCandidate> out;
-  const auto column = std::find_if(chosen.begin(), chosen.end(), [](const auto& c) { return c.column == "fx"; });
-  if (column == chosen.end() || column->why == kSaidByUser || wishes.use.contains(kDemonstration)) return out;
-  const auto candidates = findCandidates(streams, {});
-  const auto is = [&](const ColumnCandidate& candidate) {
-    return candidate.columns[0].stream == column->stream && candidate.columns[0].field == column->field;
-  };
-  const auto mine = std::find_if(candidates.begin(), candidates.end(), is);
-  if (mine == candidates.end()) return out;
-  for (const auto& candidate : candidates) {
-    const auto& stream = streams[candidate.columns[0].stream];
-    if (candidate.part != "wrench" || is(candidate) || candidate.score + kNearlyAsGood < mine->score ||
-        stream.clockless != streams[column->stream].clockless || out.size() == kMost)
-      continue;
-    // Of several demonstrations the first one is read, whatever the others hold.
-    if (stream.type.empty() && !demonstrationOf(stream, streams[column->stream]).empty()) continue;
-    out.push_back(candidate);
-  }
-  return out;
-}
 
 Result<std::vector<ColumnSource>> chooseColumns(const std::vector<Stream>& streams, const MappingWishes& wishes,
                                                 const std::vector<std::string>& jointNames, Findings& findings,

@@ -21,6 +21,9 @@ struct ColumnSource {
   bool inBaseAxes = false;  ///< Of a wrench that is known to be given in the robot's base axes (UR's actual_TCP_force).
 };
 
+/// ColumnSource::why of what the user named.
+inline constexpr const char* kSaidByUser = "chosen by the user";
+
 /// A set of columns that belong together, found in one stream.
 struct ColumnCandidate {
   std::string part;  ///< joints, velocities, position, quaternion, rotation, wrench,

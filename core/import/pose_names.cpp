@@ -54,7 +54,8 @@ void addLettered(const std::vector<FieldName>& names, std::vector<SpelledPose>& 
     if (anyIs({words.back()}, std::array{"roll", "qx"})) turned.insert(before);
     const bool owned =
         std::all_of(before.begin(), before.end(), [&](const std::string& word) { return anyIs({word}, kOwners); });
-    if (owned && words.back().size() <= 2) families[before].try_emplace(words.back(), f);
+    if (words.back().size() <= 2 && (owned || anyIs({words.back()}, std::array{"x", "y", "z"})))
+      families[before].try_emplace(words.back(), f);
   }
   for (const auto& [before, single] : families) {
     const auto place = threeOf(single, "x", "y", "z");
@@ -106,7 +107,7 @@ void addMatrices(const std::vector<FieldName>& names, std::vector<SpelledPose>& 
     if (!pair && (n < 3 || words[n - 1].size() != 1 || words[n - 2].size() != 1 || !isDigits(words[n - 2]))) continue;
     const std::string digits = pair ? words[n - 1] : words[n - 2] + words[n - 1];
     Words family(words.begin(), words.end() - (pair ? 1 : 2));
-    if (!family.empty() && anyIs({family.back()}, kNames))
+    if (!family.empty() && anyIs({family.front(), family.back()}, kNames))
       families[std::move(family)].try_emplace({digits[0] - '0', digits[1] - '0'}, f);
   }
   for (const auto& [family, elements] : families) {

@@ -9619,6 +9619,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Or state its unit in a map file: {}.</source>
         <translation>Oder geben Sie ihre Einheit in einer Zuordnungsdatei an: {}.</translation>
     </message>
+    <message>
+        <source>Joints of two arms are there; {} was used, and it could also be {}.</source>
+        <translation>Es gibt Gelenke zweier Arme; {} wurde verwendet, es könnte auch {} sein.</translation>
+    </message>
+    <message>
+        <source>Choose the joints one by one, for instance --use q1={}.</source>
+        <translation>Wählen Sie die Gelenke einzeln, zum Beispiel mit --use q1={}.</translation>
+    </message>
 </context>
 <context>
     <name>heft::CarriedObjects</name>

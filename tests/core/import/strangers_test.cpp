@@ -174,5 +174,54 @@ TEST_F(Strangers, APoseStandsInForJointsOfARobotThatIsNotNamed) {
   EXPECT_NEAR(read->recording.position(50, 2), 0.55, 1e-6);
 }
 
+/// Two arms in one table: the joints go with the sensor's side, their velocities with the joints; where the sensor says
+/// no side, that there are two is said.
+TEST_F(Strangers, JointsGoWithTheSensorsSide) {
+  for (const std::string sensor : {"right_", ""}) {
+    std::string text = "time";
+    for (const char* const side : {"left", "right"})
+      for (const char* const kind : {"", "_velocity"})
+        for (int j = 1; j <= 7; ++j) text += fmt::format(",{}_panda_joint{}{}", side, j, kind);
+    for (const char* const name : {"fx", "fy", "fz", "tx", "ty", "tz"}) text += fmt::format(",{}ft_{}", sensor, name);
+    text += "\n";
+    for (int k = 0; k < 100; ++k) {
+      const double t = 0.01 * k;
+      text += fmt::format("{:.2f}", t);
+      for (int arm = 0; arm < 2; ++arm) {
+        for (int j = 0; j < 7; ++j) text += fmt::format(",{:.9f}", arm * jointAt(t, j));
+        for (int j = 0; j < 7; ++j) text += fmt::format(",{:.9f}", arm * 0.6 * std::cos(3.0 * t + j));
+      }
+      for (int a = 0; a < 6; ++a) text += fmt::format(",{:.9f}", wrenchAt(t, a));
+      text += "\n";
+    }
+    const auto read = openRecording(write("two.csv", text));
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    EXPECT_EQ(hasCode(read->findings, "joints_of_several"), sensor.empty()) << allTexts(read->findings);
+    if (sensor.empty()) continue;
+    expectFormula(read->recording);
+    ASSERT_EQ(read->recording.dq.cols(), 7);
+    EXPECT_NEAR(read->recording.dq(10, 0), 0.6 * std::cos(0.3), 1e-6);
+  }
+}
+
+/// The place of a child frame has plain letters beside its quaternion.
+TEST_F(Strangers, AChildFramesPlaceIsItsLetters) {
+  std::string text = "stamp,frame_id,child_frame_id,x,y,z,qx,qy,qz,qw,fx,fy,fz,tx,ty,tz\n";
+  for (int k = 0; k < 100; ++k) {
+    const double t = 0.01 * k;
+    text +=
+        fmt::format("{:.2f},base,camera,1,2,3,0,0,0,1,,,,,,\n{:.2f},base,ft_sensor,{:.9f},0.1,0.5,{:.9f},0,0,{:.9f}", t,
+                    t, 0.4 + t, std::sin(t), std::cos(t));
+    for (int a = 0; a < 6; ++a) text += fmt::format(",{:.9f}", wrenchAt(t, a));
+    text += "\n";
+  }
+  ImportOptions options;
+  options.use = {"quaternion=ft_sensor"};
+  const auto read = openRecording(write("frames.csv", text), options);
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  ASSERT_TRUE(read->recording.hasPosition());
+  EXPECT_NEAR(read->recording.position(50, 0), 0.9, 1e-6);
+}
+
 }  // namespace
 }  // namespace heft
