@@ -168,7 +168,9 @@ void run(const EstimateArguments& options) {
   if (!options.jsonLines.empty() || options.jobs != 0) throw WrongUsage("--json-lines and --jobs go with --each.");
   if (options.recordings.size() > 1 && options.compare) throw WrongUsage("--compare shows one recording; give one.");
   if (options.recordings.size() > 1 && (!options.import.metaFile.empty() || !options.import.join.empty()))
-    throw WrongUsage("--meta and --join go with one recording; several have their own .meta.json beside them.");
+    throw WrongUsage(
+        "--meta and --join go with one recording; several have their own .meta.json beside them. Each file to join has "
+        "its own --join.");
   const ExportFormat* format = nullptr;
   if (!options.output.empty()) {
     if (options.output == "-") throw WrongUsage("-o expects a file name; 'heft export' writes to stdout.");

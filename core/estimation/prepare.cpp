@@ -334,7 +334,9 @@ FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const Es
     auto motion = motionOf(recording, robot, wide);
     if (motion) widest = blocksOf(understood(std::move(*motion), as), recording, as.held);
   }
-  if (!prepared.motion.originAccelerationKnown || (widest && widest->size() != prepared.blocks.size()))
+  // Rows of a motion that was moved to the sensor's origin (addSwing) have no others beside them.
+  if (!prepared.motion.originAccelerationKnown || prepared.motion.accelerometer ||
+      (widest && widest->size() != prepared.blocks.size()))
     return fitRowsOf(question);
   const bool own = stride == 1;
   FitRowsQuestion about{own ? prepared.blocks : *widest,

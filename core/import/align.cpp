@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/math/linear_algebra.h"
 #include "core/math/statistics.h"
 
 namespace heft {
@@ -15,18 +16,19 @@ constexpr double kCoarseStep = 0.05;   ///< [s]
 constexpr double kFineStep = 0.004;    ///< [s]
 constexpr double kSmoothing = 0.1;     ///< [s] Both are averaged over it: what interpolation takes away is then gone.
 constexpr double kLeastOverlap = 0.5;  ///< Of the shorter recording.
+constexpr double kGridError = 5e-4;    ///< [s] What is left at offsets that are known, rms of 16 motions.
 constexpr double kFarAway = 0.5;       ///< [s] Another peak, not the same one's flank.
 constexpr double kLeftUnexplained = 5.0;  ///< So many times more at every other offset
 constexpr double kLeastSpan = 8.0;        ///< [s] In less any two smooth motions look alike.
 
-/// Uniform samples of three channels.
+/// Uniform samples of some channels.
 struct Track {
   double start = 0.0;
   double step = 1.0;
-  Eigen::Matrix3Xd values;
+  MatrixXd values;
 
   double end() const { return start + step * static_cast<double>(values.cols() - 1); }
-  Vector3d at(double time) const {
+  Vector3d at(double time) const {  // of three
     const double position = std::clamp((time - start) / step, 0.0, static_cast<double>(values.cols() - 1));
     const auto below = std::min<Eigen::Index>(static_cast<Eigen::Index>(position), values.cols() - 2);
     const double share = position - static_cast<double>(below);
@@ -37,13 +39,16 @@ struct Track {
 struct Fit {
   double explained = 0.0;
   Eigen::Index samples = 0;
+  MatrixXd map;  ///< From the motion's channels and a constant to the force's.
 };
 
 /// Share of the force's variance in [from, to] of the motion's time that the motion explains, the force being `offset`
-/// late.
-Fit fitAt(const Track& motion, const Track& force, double offset, double from, double to) {
-  Eigen::Matrix4d gram = Eigen::Matrix4d::Zero();
-  Eigen::Matrix<double, 4, 3> product = Eigen::Matrix<double, 4, 3>::Zero();
+/// late; by a map of its own, or one that is given.
+Fit fitAt(const Track& motion, const Track& force, double offset, double from, double to,
+          const MatrixXd* given = nullptr) {
+  const Eigen::Index columns = motion.values.rows() + 1;
+  MatrixXd gram = MatrixXd::Zero(columns, columns);
+  MatrixXd product = MatrixXd::Zero(columns, 3);
   Vector3d sum = Vector3d::Zero();
   double squares = 0.0;
   Fit fit;
@@ -51,8 +56,8 @@ Fit fitAt(const Track& motion, const Track& force, double offset, double from, d
   const double last = std::min({to, motion.end(), force.end() + offset});
   const auto k0 = static_cast<Eigen::Index>(std::ceil((first - motion.start) / motion.step - 1e-9));
   const auto k1 = static_cast<Eigen::Index>(std::floor((last - motion.start) / motion.step + 1e-9));
+  VectorXd x(columns);
   for (Eigen::Index k = std::max<Eigen::Index>(k0, 0); k <= std::min(k1, motion.values.cols() - 1); ++k) {
-    Eigen::Vector4d x;
     x << motion.values.col(k), 1.0;
     const Vector3d y = force.at(motion.start + static_cast<double>(k) * motion.step - offset);
     gram += x * x.transpose();
@@ -64,8 +69,9 @@ Fit fitAt(const Track& motion, const Track& force, double offset, double from, d
   if (fit.samples < 20) return fit;
   const double total = squares - sum.squaredNorm() / static_cast<double>(fit.samples);
   gram.diagonal().array() += 1e-9 * gram.trace();  // a motion about one axis only
-  const Eigen::Matrix<double, 4, 3> map = gram.ldlt().solve(product);
-  const double residual = squares - (product.cwiseProduct(map)).sum();
+  fit.map = given ? *given : SymmetricSolver(gram).solveAll(product);
+  const double residual =
+      squares - 2.0 * product.cwiseProduct(fit.map).sum() + (gram * fit.map).cwiseProduct(fit.map).sum();
   if (total > 1e-12) fit.explained = std::clamp(1.0 - residual / total, 0.0, 1.0);
   return fit;
 }
@@ -75,18 +81,19 @@ Track thinned(const Track& track, double step) {
   Track out;
   out.step = track.step * static_cast<double>(block);
   out.start = track.start + 0.5 * track.step * static_cast<double>(block - 1);
-  out.values.resize(3, std::max<Eigen::Index>(track.values.cols() / block, 0));
+  out.values.resize(track.values.rows(), std::max<Eigen::Index>(track.values.cols() / block, 0));
   for (Eigen::Index k = 0; k < out.values.cols(); ++k)
     out.values.col(k) = track.values.middleCols(k * block, block).rowwise().mean();
   return out;
 }
 
 /// Offset of the best fit near `centre`, refined by a parabola.
-double refine(const Track& motion, const Track& force, double centre, double reach, double from, double to) {
+double refine(const Track& motion, const Track& force, double centre, double reach, double from, double to,
+              const MatrixXd* map = nullptr) {
   std::vector<double> explained;
   const auto half = static_cast<int>(std::ceil(reach / kFineStep));
   for (int i = -half; i <= half; ++i)
-    explained.push_back(fitAt(motion, force, centre + kFineStep * i, from, to).explained);
+    explained.push_back(fitAt(motion, force, centre + kFineStep * i, from, to, map).explained);
   const auto best = static_cast<int>(std::max_element(explained.begin(), explained.end()) - explained.begin());
   double shift = 0.0;
   if (best > 0 && best + 1 < static_cast<int>(explained.size())) {
@@ -174,15 +181,15 @@ MatrixXd averageAt(const VectorXd& time, const Eigen::Ref<const MatrixXd>& value
   return out;
 }
 
-OffsetEstimate findOffset(const Eigen::Ref<const Eigen::Matrix3Xd>& specificForce, double start, double rateHz,
+OffsetEstimate findOffset(const Eigen::Ref<const MatrixXd>& given, double start, double rateHz,
                           const VectorXd& forceTime, const Eigen::Ref<const Eigen::MatrixX3d>& force, double from,
                           double to) {
   OffsetEstimate out;
-  if (forceTime.size() < 20 || specificForce.cols() < 20) return out;
-  const double motionEnd = start + static_cast<double>(specificForce.cols() - 1) / rateHz;
-  const VectorXd motionTime = VectorXd::LinSpaced(specificForce.cols(), start, motionEnd);
-  const Track motion{start, 1.0 / rateHz,
-                     averageAt(motionTime, specificForce.transpose(), motionTime, kSmoothing).transpose()};
+  if (forceTime.size() < 20 || given.cols() < 20) return out;
+  const double motionEnd = start + static_cast<double>(given.cols() - 1) / rateHz;
+  const VectorXd motionTime = VectorXd::LinSpaced(given.cols(), start, motionEnd);
+  const Track whole{start, 1.0 / rateHz, averageAt(motionTime, given.transpose(), motionTime, kSmoothing).transpose()};
+  const Track motion{whole.start, whole.step, whole.values.topRows<3>()};
   Track wrench;
   wrench.step = motion.step;
   wrench.start = forceTime(0);
@@ -204,24 +211,25 @@ OffsetEstimate findOffset(const Eigen::Ref<const Eigen::Matrix3Xd>& specificForc
   }
   if (curve.empty()) return out;
   const auto best = *std::max_element(curve.begin(), curve.end());
-  out.seconds = refine(motion, wrench, best.second, 2.0 * kCoarseStep, farBack, farAhead);
+  out.seconds = refine(whole, wrench, best.second, 2.0 * kCoarseStep, farBack, farAhead);
   out.explained = fitAt(motion, wrench, out.seconds, farBack, farAhead).explained;
   for (const auto& [explained, offset] : curve)
     if (std::abs(offset - out.seconds) > kFarAway) out.runnerUp = std::max(out.runnerUp, explained);
 
   const double first = std::max(motion.start, wrench.start + out.seconds);
   const double last = std::min(motion.end(), wrench.end() + out.seconds);
+  const MatrixXd map = fitAt(whole, wrench, out.seconds, farBack, farAhead).map;
   std::array<double, 4> parts{};
   double mean = 0.0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const double quarter = (last - first) / static_cast<double>(parts.size());
-    parts[i] = refine(motion, wrench, out.seconds, 2.0 * kCoarseStep, first + quarter * static_cast<double>(i),
-                      first + quarter * static_cast<double>(i + 1));
+    parts[i] = refine(whole, wrench, out.seconds, 2.0 * kCoarseStep, first + quarter * static_cast<double>(i),
+                      first + quarter * static_cast<double>(i + 1), &map);
     mean += parts[i] / static_cast<double>(parts.size());
   }
   double squares = 0.0;
   for (const double part : parts) squares += (part - mean) * (part - mean);
-  out.std = std::sqrt(squares / 3.0 / 4.0);
+  out.std = std::hypot(std::sqrt(squares / 3.0 / 4.0), kGridError);
   const bool inside = out.seconds > from + kCoarseStep && out.seconds < to - kCoarseStep;
   // Slow tilting looks alike at many offsets; what is left unexplained then tells the right one.
   const bool alone =

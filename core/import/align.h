@@ -15,8 +15,10 @@ struct OffsetEstimate {
 
 /// Looks for the offset in [from, to] (seconds) at which a linear map of the sensor's specific force (3 x K, uniform at
 /// `rateHz` from `start`), with a constant, explains the force (N x 3) best. The map is free, so that neither the
-/// payload's mass, nor the sensor's mounting, nor its sign need to be known.
-OffsetEstimate findOffset(const Eigen::Ref<const Eigen::Matrix3Xd>& specificForce, double start, double rateHz,
+/// payload's mass, nor the sensor's mounting, nor its sign need to be known. Further rows of `motion` are what else a
+/// body's force follows (how its centre is accelerated about the sensor): they make the best offset finer, where
+/// without them it is some milliseconds off, and have no say in which one it is.
+OffsetEstimate findOffset(const Eigen::Ref<const MatrixXd>& motion, double start, double rateHz,
                           const VectorXd& forceTime, const Eigen::Ref<const Eigen::MatrixX3d>& force, double from,
                           double to);
 

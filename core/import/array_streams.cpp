@@ -44,7 +44,14 @@ class ArrayStreams {
     for (const auto& each : arrays_)
       if (each.channels == 1) set_.timeCandidates.push_back("/" + each.path);
     std::map<std::pair<std::string, std::size_t>, std::vector<std::size_t>> groups;
-    for (std::size_t a = 0; a < arrays_.size(); ++a) groups[{arrays_[a].group, arrays_[a].rows}].push_back(a);
+    // Tables of one form in one group are several recordings, each a stream of its own.
+    const auto hasTwin = [&](const NumberArray& table) {
+      return !table.columns.empty() && std::ranges::count_if(arrays_, [&](const NumberArray& other) {
+                                         return other.group == table.group && other.columns == table.columns;
+                                       }) > 1;
+    };
+    for (std::size_t a = 0; a < arrays_.size(); ++a)
+      groups[{hasTwin(arrays_[a]) ? arrays_[a].path : arrays_[a].group, arrays_[a].rows}].push_back(a);
     for (const auto& [key, members] : groups) {
       if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
       if (!addGroup(key.first, key.second, members)) break;

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <span>
 
 #include "core/base/say.h"
@@ -13,6 +14,7 @@
 #include "core/import/mapping.h"
 #include "core/import/name_guess.h"
 #include "core/import/pose_names.h"
+#include "core/import/target.h"
 
 namespace heft {
 
@@ -82,6 +84,7 @@ class StreamGuess {
       if (fields.size() == 9) add("rotation", fields, 0, kMatrixColumns, 9, why());
     addInertial(accelerations, rates);
     addOtherPoses();
+    std::erase_if(joints, [&](const auto& entry) { return addAbbPose(entry.first, entry.second); });
     for (const auto& [family, fields] : joints) addJoints("joints", "q", family, fields);
     for (const auto& [family, fields] : velocities) addJoints("velocities", "dq", family, fields);
     if (!jointNames.empty()) {
@@ -91,7 +94,7 @@ class StreamGuess {
       addInOrder("joints", "q", "position", 20);
       addInOrder("velocities", "dq", "velocity", 20);
     } else if (stream_.type.empty()) {  // a table whose cells named the joints, none of them by a number
-      for (const std::string before : {"", "field."}) {
+      for (const auto& before : beforeLabelled("position")) {
         addInOrder("joints", "q", before + "position", 9);
         addInOrder("velocities", "dq", before + "velocity", 9);
       }
@@ -219,6 +222,18 @@ class StreamGuess {
     }
   }
 
+  bool addAbbPose(const Words& family, const Family& fields) {
+    const auto pose = abbPose(names_, stream_.values, family, fields);
+    if (!pose) return false;
+    add("quaternion", pose->turn, 0, kQuaternionColumns, pose->score, pose->why);
+    add("position", pose->place, 0, kPositionColumns, pose->score, pose->why);
+    for (auto& column : out_.back().columns) {
+      if (!column.unitNamed && pose->millimetresAndDegrees) column.scale = 0.001;
+      column.unitNamed = column.unitNamed || pose->millimetresAndDegrees;
+    }
+    return true;
+  }
+
   void addJoints(const char* part, const char* prefix, const Words& family, const Family& fields) {
     const int first = fields.begin()->first;
     const int last = fields.rbegin()->first;
@@ -233,7 +248,9 @@ class StreamGuess {
     if (fields.size() == 7) score += 2;
     score -= std::min(doubtOf(family), 9);
     // An arm has not also joints without a number: "wrist_1" to "wrist_3" are half of a UR.
-    if (stream_.type == "sensor_msgs/JointState" && inOrder("position").size() > fields.size() && fields.size() < 6)
+    if (fields.size() < 6 && std::ranges::any_of(beforeLabelled("position"), [&](const std::string& before) {
+          return inOrder(before + "position").size() > fields.size();
+        }))
       return;
     std::vector<std::string> names;
     for (std::size_t j = 1; j <= fields.size(); ++j) names.push_back(fmt::format("{}{}", prefix, j));
@@ -277,22 +294,44 @@ class StreamGuess {
     for (std::size_t f = 0; f < none; ++f)
       if (std::find(forms.begin(), forms.end(), stream_.fields[f]) != forms.end() || stream_.fields[f].ends_with(path))
         return f;
-    std::size_t found = none;
-    for (std::size_t f = 0; f < none; ++f) {
-      const auto& field = stream_.fields[f];
-      const auto open = field.rfind(quantity + "[");
-      if (open == std::string::npos || field.back() != ']') continue;
-      const auto label = field.substr(open + quantity.size() + 1, field.size() - open - quantity.size() - 2);
-      const auto endsWith = [](const std::string& longer, const std::string& shorter) {
-        if (longer.size() <= shorter.size() || !longer.ends_with(shorter)) return false;
-        const char mark = longer[longer.size() - shorter.size() - 1];
-        return mark == '_' || mark == '/' || mark == '-' || mark == '.';
-      };
-      if (!endsWith(label, name) && !endsWith(name, label)) continue;
-      if (found != none) return none;
-      found = f;
+    // By the label alone, then with a prefix on either side.
+    for (const bool whole : {true, false}) {
+      std::size_t found = none;
+      for (std::size_t f = 0; f < none; ++f) {
+        const auto label = labelOf(quantity, stream_.fields[f]);
+        if (label.empty() || isCommanded(names_[f].words) ||
+            (whole ? label != name : !endsWith(label, name) && !endsWith(name, label)))
+          continue;
+        if (found != none) return none;
+        found = f;
+      }
+      if (found != none) return found;
     }
-    return found;
+    return none;
+  }
+
+  /// What stands before "position[elbow]" in the stream's fields: nothing, "field.", a topic and the like.
+  std::set<std::string> beforeLabelled(const std::string& quantity) const {
+    std::set<std::string> out;
+    for (std::size_t f = 0; f < stream_.fields.size(); ++f)
+      if (const auto& field = stream_.fields[f]; !isCommanded(names_[f].words) && !labelOf(quantity, field).empty())
+        if (const auto before = field.substr(0, field.rfind(quantity + "["));
+            before.empty() || before.back() == '.' || before.back() == '/')
+          out.insert(before);
+    return out;
+  }
+
+  /// "elbow" of "position[elbow]", whatever stands before it; empty for other fields.
+  static std::string labelOf(const std::string& quantity, const std::string& field) {
+    const auto open = field.rfind(quantity + "[");
+    if (open == std::string::npos || field.back() != ']') return {};
+    return field.substr(open + quantity.size() + 1, field.size() - open - quantity.size() - 2);
+  }
+
+  static bool endsWith(const std::string& longer, const std::string& shorter) {
+    if (longer.size() <= shorter.size() || !longer.ends_with(shorter)) return false;
+    const char mark = longer[longer.size() - shorter.size() - 1];
+    return mark == '_' || mark == '/' || mark == '-' || mark == '.';
   }
 
   /// Joints of a known arm by their names.
@@ -325,6 +364,21 @@ ColumnSource columnFrom(const std::vector<Stream>& streams, std::size_t stream, 
   }
   out.inBaseAxes = (column[0] == 'f' || column[0] == 't') && isTcpForce(name.words);
   return out;
+}
+
+double scaleWithin(const ColumnSource& column, const Conventions& conventions) {
+  const char first = column.column[0];
+  const bool matrix = column.column.size() == 3 && first == 'r' && column.column[1] >= '1' && column.column[1] <= '3';
+  const bool rotation = isRotation(column.column) && !matrix;
+  // Only a quaternion's or a joint's numbers pass through the stated unit of angles; other rotations do not.
+  if (rotation) return column.unitNamed ? column.scale : column.scale * conventions.radPerAngle;
+  if (!column.unitNamed) return column.scale;
+  if (first == 'q' || first == 'd' || first == 'i') return column.scale / conventions.radPerAngle;
+  if (first == 'p') return column.scale / conventions.mPerLength;
+  if (first == 'f') return column.scale / conventions.force.si;
+  if (first == 't') return column.scale / conventions.torque.si;
+  if (first == 'a') return column.scale / conventions.mPerS2PerAcceleration;
+  return column.scale;
 }
 
 std::vector<ColumnCandidate> findCandidates(const std::vector<Stream>& streams,

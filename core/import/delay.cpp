@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/say.h"
+#include "core/motion/accelerometer.h"
 
 namespace heft {
 
@@ -60,10 +61,14 @@ std::optional<Motion> specificForceOf(const Signal& joints, const Signal& quater
   return std::move(*motion);
 }
 
-Eigen::Matrix3Xd inWrenchAxes(const Motion& motion, const Conventions& conventions) {
-  Eigen::Matrix3Xd out = motion.specificForce;
-  if (conventions.wrenchAxes == Conventions::WrenchAxes::base)
-    for (Eigen::Index k = 0; k < out.cols(); ++k) out.col(k) = motion.R_BS[static_cast<std::size_t>(k)] * out.col(k);
+MatrixXd inWrenchAxes(const Motion& motion, const Conventions& conventions) {
+  const bool base = conventions.wrenchAxes == Conventions::WrenchAxes::base;
+  MatrixXd out(12, motion.size());
+  for (Eigen::Index k = 0; k < out.cols(); ++k) {
+    const Matrix3d axes = base ? motion.R_BS[static_cast<std::size_t>(k)] : Matrix3d::Identity();
+    out.col(k).head<3>() = axes * motion.specificForce.col(k);
+    out.col(k).tail<9>() = (axes * leverMatrix(motion.omega.col(k), motion.alpha.col(k))).reshaped();
+  }
   return out;
 }
 

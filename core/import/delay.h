@@ -17,7 +17,7 @@ std::optional<Motion> specificForceOf(const Signal& joints, const Signal& quater
                                       const std::string& file);
 
 /// The specific force in the axes that the wrench comes in, by columns.
-Eigen::Matrix3Xd inWrenchAxes(const Motion& motion, const Conventions& conventions);
+MatrixXd inWrenchAxes(const Motion& motion, const Conventions& conventions);
 
 /// Of two signals on one clock: says by how much the force is late, where the data tell it. Nothing is shifted.
 void tellDelay(const Motion& moved, const Conventions& conventions, const Signal& motion, const Signal& wrench,

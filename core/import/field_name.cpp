@@ -174,9 +174,10 @@ std::string takeTrailingUnit(Words& words) {
     words.erase(words.begin() + static_cast<std::ptrdiff_t>(i));
     return unit;
   }
-  // "force_n.x"
+  // "force_n.x", "F_N[0]"
   for (std::size_t i = 1; i + 1 < words.size(); ++i)
-    if (words[i] == "n" && (words[i - 1] == "force" || words[i - 1] == "forces" || words[i - 1] == "kraft")) {
+    if (words[i] == "n" &&
+        (words[i - 1] == "force" || words[i - 1] == "forces" || words[i - 1] == "kraft" || words[i - 1] == "f")) {
       words.erase(words.begin() + static_cast<std::ptrdiff_t>(i));
       return "n";
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <mutex>
 #include <optional>
+#include <set>
 
 #include "core/base/say.h"
 #include "core/base/text.h"
@@ -20,10 +21,20 @@ namespace {
 
 constexpr std::size_t kMostDatasets = 4096;
 
-/// Paths of all datasets, through hard, soft and external links. A group is not entered inside itself.
+/// Paths of all datasets, through hard, soft and external links. A group is not entered inside itself, and one that
+/// soft or external links lead to not again; the same holds for tables (compound types). What pandas keeps to search
+/// its tables is left out.
 class LinkWalk {
  public:
-  explicit LinkWalk(hid_t file) { group(file, "", 0); }
+  explicit LinkWalk(hid_t file) {
+    H5O_info_t root;
+    if (H5Oget_info_by_name(file, "/", &root, H5P_DEFAULT) >= 0) seen_.insert({root.fileno, root.addr});
+    group(file, "", 0);
+    for (std::size_t i = 0; i < later_.size(); ++i) {
+      const auto link = later_[i];
+      enter(file, link.path.c_str(), link.path, link.depth, true);
+    }
+  }
   const std::vector<std::string>& paths() const { return paths_; }
   const std::vector<std::string>& broken() const { return broken_; }
   bool damaged() const { return damaged_; }
@@ -38,6 +49,11 @@ class LinkWalk {
     int depth;
   };
 
+  struct Later {
+    std::string path;
+    int depth;
+  };
+
   static herr_t visit(hid_t parent, const char* name, const H5L_info_t* link, void* data) {
     auto& level = *static_cast<Level*>(data);
     level.walk->link(parent, name, *link, level.path, level.depth);
@@ -47,17 +63,27 @@ class LinkWalk {
   void link(hid_t parent, const char* name, const H5L_info_t& info, const std::string& folder, int depth) {
     ++links_;
     const std::string path = folder.empty() ? name : folder + "/" + name;
+    if (std::string_view(name).starts_with("_i_")) return;  // PyTables' indices
+    if (info.type == H5L_TYPE_HARD)
+      enter(parent, name, path, depth, false);
+    else
+      later_.push_back({path, depth});
+  }
+
+  void enter(hid_t parent, const char* name, const std::string& path, int depth, bool soft) {
+    if (paths_.size() >= kMostDatasets) return;
     H5O_info_t object;
     if (H5Oget_info_by_name(parent, name, &object, H5P_DEFAULT) < 0) {
-      if (info.type == H5L_TYPE_HARD)
+      if (!soft)
         damaged_ = true;
       else if (broken_.size() < 20)
         broken_.push_back(path);
       return;
     }
-    if (object.type == H5O_TYPE_DATASET) paths_.push_back(path);
-    if (object.type != H5O_TYPE_GROUP || depth >= kDeepestGroup) return;
     const std::pair key(object.fileno, object.addr);
+    const bool seen = !seen_.insert(key).second;
+    if (object.type == H5O_TYPE_DATASET && !(soft && seen && isTable(parent, name))) paths_.push_back(path);
+    if (object.type != H5O_TYPE_GROUP || depth >= kDeepestGroup || (soft && seen)) return;
     if (std::find(inside_.begin(), inside_.end(), key) != inside_.end()) return;
     const Handle inner(H5Gopen2(parent, name, H5P_DEFAULT), H5Gclose);
     if (!inner) {
@@ -69,6 +95,13 @@ class LinkWalk {
     inside_.pop_back();
   }
 
+  static bool isTable(hid_t parent, const char* name) {
+    const Handle dataset(H5Dopen2(parent, name, H5P_DEFAULT), H5Dclose);
+    if (!dataset) return false;
+    const Handle type(H5Dget_type(dataset.id()), H5Tclose);
+    return type && H5Tget_class(type.id()) == H5T_COMPOUND;
+  }
+
   void group(hid_t id, const std::string& path, int depth) {
     Level level{this, path, depth};
     hsize_t at = 0;
@@ -77,6 +110,8 @@ class LinkWalk {
 
   std::vector<std::string> paths_, broken_;
   std::vector<std::pair<unsigned long, haddr_t>> inside_;
+  std::set<std::pair<unsigned long, haddr_t>> seen_;
+  std::vector<Later> later_;
   std::size_t links_ = 0;
   bool damaged_ = false;
 };
@@ -150,13 +185,16 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
       },
       filter, choice, progress, set);
   if (!added) return added.error();
-  if (!filterMissing.empty())
+  if (!filterMissing.empty()) {
+    // What cannot be unpacked is not damaged.
+    std::erase_if(set.findings, [](const Finding& finding) { return finding.code == "dataset_damaged"; });
     set.findings.push_back({Severity::error,
                             "filter_missing",
                             heft::say("datasets of the file are packed with {}.", filterMissing),
                             heft::say("Install that package, or rewrite the file with \"h5repack -f GZIP=4 IN OUT\" "
                                       "where the filter is at hand."),
                             {set.file, 0, 0}});
+  }
   return set;
 }
 

@@ -210,7 +210,7 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
                              heft::say("Record the sensor's wrench and the joints or the pose.") + " " +
                                  remedy(Remedy::showContents)),
                      opened->findings);
-  auto columns = chooseColumns(listed, opened->wishes, opened->jointNames, opened->findings);
+  auto columns = chooseColumns(listed, opened->wishes, opened->jointNames, opened->findings, !opened->meta.robot);
   if (!columns) return withWays(misfit ? *misfit : explained(columns.error(), opened->findings, opened->look));
   if (const auto lost = withoutClock(listed, *columns)) return *lost;
   settleUnits(*columns, *opened);

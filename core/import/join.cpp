@@ -138,6 +138,7 @@ class Joiner {
   bool clocksRelated() {
     const auto& a = motion().nanoseconds;
     const auto& b = wrench_.nanoseconds;
+    if (recording_.meta.kind == RecordingKind::poses && a == b) return true;  // row by row
     if (clocks_.offsetStated(motion().stream) || clocks_.offsetStated(wrench_.stream)) return true;
     const double shorter = 1e-9 * static_cast<double>(std::min(a.back() - a.front(), b.back() - b.front()));
     const double overlap = 1e-9 * static_cast<double>(std::min(a.back(), b.back()) - std::max(a.front(), b.front()));
@@ -163,6 +164,12 @@ class Joiner {
       if (moved) tellDelay(*moved, recording_.meta.conventions, motion(), wrench_, joining_);
       return std::nullopt;
     }
+    if (recording_.meta.kind == RecordingKind::poses)
+      return errorAt({joining_.file, 0, 0},
+                     heft::say("{} has {} poses and {} has {} wrenches, without times in common.",
+                               joining_.nameOf(motion().stream), motion().nanoseconds.size(),
+                               joining_.nameOf(wrench_.stream), wrench_.nanoseconds.size()),
+                     heft::say("Standing poses in two files are joined row by row: write as many rows in both."));
     // What would have to be stated to get the same counts between the clocks as the files have them.
     const double zeros = 1e-9 * (static_cast<double>(motionZero_) - static_cast<double>(wrenchZero_));
     const auto offset = findClockOffset(moved, recording_.meta.conventions, motion(), wrench_, zeros, joining_);
@@ -220,7 +227,11 @@ class Joiner {
     }
     if (joining_.wishes.poseOfFlange && !quaternion_.empty()) fromFlangeToSensor();
 
-    if (!together) {
+    if (!together && recording_.meta.kind == RecordingKind::poses) {
+      joining_.note(Severity::info, "streams_joined",
+                    heft::say("{} and {} were joined row by row.", joining_.nameOf(moving.stream),
+                              joining_.nameOf(wrench_.stream)));
+    } else if (!together) {
       const Signal& other = wrenchSlower ? moving : wrench_;
       joining_.note(Severity::info, "streams_joined",
                     heft::say("{} ({:.4g} Hz) and {} ({:.4g} Hz) were joined on the times of {}; {}.",

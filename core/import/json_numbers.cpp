@@ -67,6 +67,25 @@ bool flatten(const json& node, const std::string& path, std::size_t depth, Named
   return true;
 }
 
+/// The topic and the message's key of {"topic": "/ft", "msg": {...}}, as rosbridge and recorders of many topics write
+/// each message; empty texts for other objects.
+std::pair<std::string, std::string> envelopeOf(const json& object) {
+  const auto topic = object.find("topic");
+  if (topic == object.end() || !topic->is_string() || topic->get_ref<const std::string&>().empty()) return {};
+  for (const char* const key : {"msg", "message", "data", "payload"})
+    if (const auto inner = object.find(key); inner != object.end() && inner->is_object())
+      return {printable(topic->get<std::string>(), 100), key};
+  return {};
+}
+
+/// What stands in an envelope is called after its topic, so that two topics of one type stay apart; the stamps remain
+/// where they are, one clock for all.
+void nameAfterTopic(const std::string& topic, const std::string& key, NamedNumbers& numbers) {
+  const std::string inside = key + ".", header = inside + "header.";
+  for (auto& [name, value] : numbers)
+    if (name.starts_with(inside) && !name.starts_with(header)) name = topic + "/" + name.substr(inside.size());
+}
+
 /// Deep nesting would exhaust the parser's own stack of brackets before flatten() sees it.
 bool isTooDeep(std::string_view text) {
   std::size_t depth = 0;
@@ -129,7 +148,9 @@ bool flattenJson(std::string_view text, NamedNumbers& out) {
   out.clear();
   if (isTooDeep(text)) return false;
   const json object = json::parse(withoutBareNaN(text), nullptr, false);
-  return object.is_object() && flatten(object, {}, 0, out);
+  if (!object.is_object() || !flatten(object, {}, 0, out)) return false;
+  if (const auto [topic, key] = envelopeOf(object); !topic.empty()) nameAfterTopic(topic, key, out);
+  return true;
 }
 
 std::vector<std::string> rowsOfJsonTable(std::string_view text) {

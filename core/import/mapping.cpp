@@ -10,6 +10,7 @@
 #include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
+#include "core/import/demonstrations.h"
 #include "core/import/field_name.h"
 #include "core/import/target.h"
 
@@ -17,38 +18,20 @@ namespace heft {
 
 namespace {
 
-constexpr int kNearlyAsGood = 2;  ///< Scores that differ by less say nothing.
-constexpr const char* kSaidByUser = "chosen by the user";
 std::string shown(const Stream& stream) {
   if (stream.name.empty() || stream.name == "/") return stream.file;
   return stream.name;
 }
 
-/// The path of a stream up to the first part in which it differs from `other` by a number alone: "/data/demo_1" of
-/// several demonstrations. Empty if they differ otherwise.
-std::string differsByNumber(const std::string& name, const std::string& other) {
-  const auto withoutDigits = [](std::string_view text) {
-    std::string out;
-    for (const char c : text)
-      if (c < '0' || c > '9') out += c;
-    return out;
-  };
-  std::size_t a = 0, b = 0;
-  while (a < name.size() && b < other.size()) {
-    const auto endA = std::min(name.find('/', a + 1), name.size());
-    const auto endB = std::min(other.find('/', b + 1), other.size());
-    const auto mine = name.substr(a, endA - a), theirs = other.substr(b, endB - b);
-    if (mine != theirs) return withoutDigits(mine) == withoutDigits(theirs) ? name.substr(0, endA) : std::string();
-    a = endA;
-    b = endB;
-  }
-  return {};
-}
 class Chooser {
  public:
   Chooser(const std::vector<Stream>& streams, const MappingWishes& wishes, const std::vector<std::string>& jointNames,
-          Findings& findings)
-      : streams_(streams), wishes_(wishes), findings_(findings), candidates_(findCandidates(streams, jointNames)) {}
+          Findings& findings, bool poseForUnnamed)
+      : streams_(streams),
+        wishes_(wishes),
+        findings_(findings),
+        candidates_(findCandidates(streams, jointNames)),
+        poseForUnnamed_(poseForUnnamed && jointNames.empty()) {}
 
   Result<std::vector<ColumnSource>> run() {
     if (auto failure = keepDemonstration()) return *failure;
@@ -60,7 +43,7 @@ class Chooser {
     for (const char* const part : {"wrench", "joints", "quaternion", "rotation", "accelerometer"})
       if (has(part)) takeFrom(part, streamOf(part));
     if (!has("wrench")) take("wrench");
-    if (!hasMotion() && !take("joints") && !take("quaternion")) take("rotation");
+    if (!hasMotion()) takeMotion();
     for (const char* const part : {"quaternion", "rotation"})
       if (has(part) && !has("joints") && !has("position")) takeFrom("position", streamOf(part));
     if (has("joints") && !has("velocities")) takeFrom("velocities", streamOf("joints"));
@@ -94,8 +77,40 @@ class Chooser {
   bool ofAnotherDemonstration(std::size_t stream) const {
     if (chosen_.empty() || !streams_[stream].type.empty()) return false;
     const auto& mine = streams_[chosen_[0].stream];
-    return mine.type.empty() && mine.file == streams_[stream].file &&
-           !differsByNumber(streams_[stream].name, mine.name).empty();
+    return mine.type.empty() && mine.file == streams_[stream].file && !demonstrationOf(streams_[stream], mine).empty();
+  }
+
+  /// 'l' or 'r' where a field's name says on which of two arms it is; 0 where it does not.
+  char sideOf(const ColumnSource& column) const {
+    for (const auto& word : wordsOf(nameOf(column)))
+      if (word == "left" || word == "right") return word[0];
+    return 0;
+  }
+
+  /// Two arms in one recording: the other one's candidates do not go with what was chosen for `part`.
+  bool ofAnotherSide(const ColumnCandidate& candidate, const std::string& part) const {
+    const auto chosen = std::ranges::find(chosen_, part, [](const auto& c) { return partOf(c.column); });
+    const char mine = chosen == chosen_.end() ? 0 : sideOf(*chosen), other = sideOf(candidate.columns[0]);
+    return mine != 0 && other != 0 && mine != other;
+  }
+
+  /// Joints of two arms in one stream, where nothing says which one carries the sensor.
+  void sayOtherJoints() {
+    const auto mine = std::ranges::find(chosen_, "joints", [](const auto& c) { return partOf(c.column); });
+    if (mine == chosen_.end() || mine->why == kSaidByUser || sideOf(*mine) == 0) return;
+    for (const auto& candidate : candidates_) {
+      const auto& first = candidate.columns[0];
+      if (candidate.part != "joints" || first.stream != mine->stream || candidate.score < 0 ||
+          !ofAnotherSide(candidate, "joints") || ofAnotherSide(candidate, "wrench"))
+        continue;
+      findings_.push_back({Severity::warning,
+                           "joints_of_several",
+                           heft::say("Joints of two arms are there; {} was used, and it could also be {}.",
+                                     nameOf(*mine), nameOf(first)),
+                           heft::say("Choose the joints one by one, for instance --use q1={}.", nameOf(first)),
+                           {streams_[mine->stream].file, 0, 0}});
+      return;
+    }
   }
 
   bool take(const std::string& part) {
@@ -103,13 +118,36 @@ class Chooser {
     for (const auto& candidate : candidates_) {
       if (candidate.part != part || candidate.score < 0) continue;
       if (best == nullptr) best = &candidate;
-      if (ofAnotherDemonstration(candidate.columns[0].stream)) continue;
+      if (ofAnotherDemonstration(candidate.columns[0].stream) || ofAnotherSide(candidate, "wrench")) continue;
       best = &candidate;
       break;
     }
     if (best == nullptr) return false;
     use(*best);
     return true;
+  }
+
+  /// Joints of a robot that is not named tell nothing; a whole pose in their stream does. Seven are a Panda's.
+  void takeMotion() {
+    const auto best = [&](const char* part) {
+      return std::ranges::find_if(candidates_, [&](const auto& c) { return c.part == part && c.score >= 0; });
+    };
+    const auto joints = best("joints");
+    if (joints != candidates_.end() && poseForUnnamed_ && joints->columns.size() != 7 &&
+        best("position") != candidates_.end())
+      for (const char* const part : {"quaternion", "rotation"})
+        if (best(part) != candidates_.end() && take(part)) {
+          findings_.push_back(
+              {Severity::warning,
+               "pose_for_joints",
+               heft::say("There are {} joints but no robot is named, so the pose is read instead and taken for the "
+                         "sensor's.",
+                         joints->columns.size()),
+               remedy(Remedy::nameRobot),
+               {streams_[joints->columns[0].stream].file, 0, 0}});
+          return;
+        }
+    if (!take("joints") && !take("quaternion")) take("rotation");
   }
 
   /// --use demo=/data/demo_1: only what lies there.
@@ -142,6 +180,7 @@ class Chooser {
       if (candidate.part != part || candidate.score < 0 || candidate.columns[0].stream != stream) continue;
       if (part == "position" && transformOf(nameOf(candidate.columns[0])) != frame) continue;
       if (part == "velocities" && static_cast<long>(candidate.columns.size()) != joints) continue;
+      if (ofAnotherSide(candidate, part == "velocities" ? "joints" : "wrench")) continue;
       use(candidate);
       return;
     }
@@ -298,6 +337,7 @@ class Chooser {
              {stream.file, 0, 0}});
     }
     sayDemonstrations();
+    sayOtherJoints();
     sayTransform();
     findings_.push_back({Severity::info,
                          "sources",
@@ -326,8 +366,8 @@ class Chooser {
     std::string mine;
     for (std::size_t s = 0; s < streams_.size(); ++s) {
       if (!ofAnotherDemonstration(s)) continue;
-      mine = differsByNumber(chosen.name, streams_[s].name);
-      const auto name = differsByNumber(streams_[s].name, chosen.name);
+      mine = demonstrationOf(chosen, streams_[s]);
+      const auto name = demonstrationOf(streams_[s], chosen);
       if (std::find(others.begin(), others.end(), name) == others.end()) others.push_back(name);
     }
     if (others.empty() || wishes_.use.contains(kDemonstration)) return;
@@ -345,53 +385,16 @@ class Chooser {
   const MappingWishes& wishes_;
   Findings& findings_;
   std::vector<ColumnCandidate> candidates_;
+  bool poseForUnnamed_;
   std::vector<ColumnSource> chosen_;
 };
 
 }  // namespace
 
-double scaleWithin(const ColumnSource& column, const Conventions& conventions) {
-  const char first = column.column[0];
-  const bool matrix = column.column.size() == 3 && first == 'r' && column.column[1] >= '1' && column.column[1] <= '3';
-  const bool rotation = isRotation(column.column) && !matrix;
-  // Only a quaternion's or a joint's numbers pass through the stated unit of angles; other rotations do not.
-  if (rotation) return column.unitNamed ? column.scale : column.scale * conventions.radPerAngle;
-  if (!column.unitNamed) return column.scale;
-  if (first == 'q' || first == 'd' || first == 'i') return column.scale / conventions.radPerAngle;
-  if (first == 'p') return column.scale / conventions.mPerLength;
-  if (first == 'f') return column.scale / conventions.force.si;
-  if (first == 't') return column.scale / conventions.torque.si;
-  if (first == 'a') return column.scale / conventions.mPerS2PerAcceleration;
-  return column.scale;
-}
-
-std::vector<ColumnCandidate> rivalWrenches(const std::vector<Stream>& streams, const MappingWishes& wishes,
-                                           const std::vector<ColumnSource>& chosen) {
-  constexpr std::size_t kMost = 4;
-  std::vector<ColumnCandidate> out;
-  const auto column = std::find_if(chosen.begin(), chosen.end(), [](const auto& c) { return c.column == "fx"; });
-  if (column == chosen.end() || column->why == kSaidByUser || wishes.use.contains(kDemonstration)) return out;
-  const auto candidates = findCandidates(streams, {});
-  const auto is = [&](const ColumnCandidate& candidate) {
-    return candidate.columns[0].stream == column->stream && candidate.columns[0].field == column->field;
-  };
-  const auto mine = std::find_if(candidates.begin(), candidates.end(), is);
-  if (mine == candidates.end()) return out;
-  for (const auto& candidate : candidates) {
-    const auto& stream = streams[candidate.columns[0].stream];
-    if (candidate.part != "wrench" || is(candidate) || candidate.score + kNearlyAsGood < mine->score ||
-        stream.clockless != streams[column->stream].clockless || out.size() == kMost)
-      continue;
-    // Of several demonstrations the first one is read, whatever the others hold.
-    if (stream.type.empty() && !differsByNumber(stream.name, streams[column->stream].name).empty()) continue;
-    out.push_back(candidate);
-  }
-  return out;
-}
-
 Result<std::vector<ColumnSource>> chooseColumns(const std::vector<Stream>& streams, const MappingWishes& wishes,
-                                                const std::vector<std::string>& jointNames, Findings& findings) {
-  return Chooser(streams, wishes, jointNames, findings).run();
+                                                const std::vector<std::string>& jointNames, Findings& findings,
+                                                bool poseForUnnamed) {
+  return Chooser(streams, wishes, jointNames, findings, poseForUnnamed).run();
 }
 
 }  // namespace heft

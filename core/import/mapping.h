@@ -21,6 +21,9 @@ struct ColumnSource {
   bool inBaseAxes = false;  ///< Of a wrench that is known to be given in the robot's base axes (UR's actual_TCP_force).
 };
 
+/// ColumnSource::why of what the user named.
+inline constexpr const char* kSaidByUser = "chosen by the user";
+
 /// A set of columns that belong together, found in one stream.
 struct ColumnCandidate {
   std::string part;  ///< joints, velocities, position, quaternion, rotation, wrench,
@@ -81,8 +84,10 @@ std::vector<ColumnCandidate> rivalWrenches(const std::vector<Stream>& streams, c
                                            const std::vector<ColumnSource>& chosen);
 
 /// The columns to read: wishes first, then the best candidates. Fails if a wish names nothing that is there, or if
-/// wrench or motion are missing; says in findings what was chosen and what else might have been.
+/// wrench or motion are missing; says in findings what was chosen and what else might have been. `poseForUnnamed`: a
+/// whole pose stands in for joints of a robot that is not named.
 Result<std::vector<ColumnSource>> chooseColumns(const std::vector<Stream>& streams, const MappingWishes& wishes,
-                                                const std::vector<std::string>& jointNames, Findings& findings);
+                                                const std::vector<std::string>& jointNames, Findings& findings,
+                                                bool poseForUnnamed = false);
 
 }  // namespace heft

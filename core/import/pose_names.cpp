@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 #include "core/base/say.h"
@@ -53,7 +54,8 @@ void addLettered(const std::vector<FieldName>& names, std::vector<SpelledPose>& 
     if (anyIs({words.back()}, std::array{"roll", "qx"})) turned.insert(before);
     const bool owned =
         std::all_of(before.begin(), before.end(), [&](const std::string& word) { return anyIs({word}, kOwners); });
-    if (owned && words.back().size() <= 2) families[before].try_emplace(words.back(), f);
+    if (words.back().size() <= 2 && (owned || anyIs({words.back()}, std::array{"x", "y", "z"})))
+      families[before].try_emplace(words.back(), f);
   }
   for (const auto& [before, single] : families) {
     const auto place = threeOf(single, "x", "y", "z");
@@ -105,7 +107,7 @@ void addMatrices(const std::vector<FieldName>& names, std::vector<SpelledPose>& 
     if (!pair && (n < 3 || words[n - 1].size() != 1 || words[n - 2].size() != 1 || !isDigits(words[n - 2]))) continue;
     const std::string digits = pair ? words[n - 1] : words[n - 2] + words[n - 1];
     Words family(words.begin(), words.end() - (pair ? 1 : 2));
-    if (!family.empty() && anyIs({family.back()}, kNames))
+    if (!family.empty() && anyIs({family.front(), family.back()}, kNames))
       families[std::move(family)].try_emplace({digits[0] - '0', digits[1] - '0'}, f);
   }
   for (const auto& [family, elements] : families) {
@@ -120,6 +122,38 @@ void addMatrices(const std::vector<FieldName>& names, std::vector<SpelledPose>& 
 }
 
 }  // namespace
+
+std::optional<SpelledPose> abbPose(const std::vector<FieldName>& names, const std::vector<std::vector<double>>& values,
+                                   const Words& family, const Family& fields) {
+  constexpr double kFartherThanAnyArm = 10.0;  // [m]: ABB counts in mm
+  if (fields.size() != 4 || family.size() < 2 || family[family.size() - 2] != "q" || family.back() != "#")
+    return std::nullopt;
+  const Words before(family.begin(), family.end() - 2);
+  SpelledPose pose{{}, {}, SpelledPose::Turn::quaternion, 8, {}, false};
+  for (std::size_t f = 0; f < names.size(); ++f) {
+    const Words& words = names[f].words;
+    if (words.empty() || words.back().size() != 1 || Words(words.begin(), words.end() - 1) != before) continue;
+    if (const int axis = words.back()[0] - 'x'; axis >= 0 && axis < 3) pose.place.try_emplace(axis, f);
+  }
+  if (pose.place.size() != 3 || values.size() != names.size()) return std::nullopt;
+  const std::size_t rows = values[fields.begin()->second].size();
+  const auto whole = [&](const auto& entry) { return values[entry.second].size() == rows; };
+  if (!std::ranges::all_of(pose.place, whole) || !std::ranges::all_of(fields, whole)) return std::nullopt;
+  std::size_t unit = 0;
+  double farthest = 0.0;
+  for (std::size_t k = 0; k < rows; ++k) {
+    double squares = 0.0;
+    for (const auto& [index, field] : fields) squares += values[field][k] * values[field][k];
+    unit += std::abs(squares - 1.0) < 0.01 ? 1 : 0;
+    for (const auto& [axis, field] : pose.place) farthest = std::max(farthest, std::abs(values[field][k]));
+  }
+  if (rows < 2 || 20 * unit < 19 * rows) return std::nullopt;
+  const int first = fields.begin()->first;
+  for (const auto& [index, field] : fields) pose.turn[(index - first + 3) % 4] = field;
+  pose.millimetresAndDegrees = farthest > kFartherThanAnyArm;
+  pose.why = heft::say("pose of an ABB, the quaternion's real part first");
+  return pose;
+}
 
 std::vector<SpelledPose> spelledPoses(const std::vector<FieldName>& names) {
   std::vector<SpelledPose> out;

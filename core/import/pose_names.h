@@ -3,6 +3,7 @@
 // P, R, roll, pitch and yaw, libfranka's O_T_EE and matrices of 4 x 4.
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace heft {
 using Family = std::map<int, std::size_t>;
 
 struct SpelledPose {
-  enum class Turn { none, vector, abc, rollPitchYaw, matrix };
+  enum class Turn { none, vector, abc, rollPitchYaw, matrix, quaternion };
   Family place;  ///< x, y, z; may be empty.
   Family turn;   ///< As many as the form has numbers, in the order of rotationForms().
   Turn form = Turn::none;
@@ -22,6 +23,11 @@ struct SpelledPose {
   std::string why;                     ///< Empty: the names alone.
   bool millimetresAndDegrees = false;  ///< Where the names state no units.
 };
+
+/// ABB's "X, Y, Z, Q1, Q2, Q3, Q4" where `fields` are called Q1 to Q4 (`family`): four numbers of length one beside a
+/// place are a quaternion, its real part first, and no joints. Told by the values; nothing without them.
+std::optional<SpelledPose> abbPose(const std::vector<FieldName>& names, const std::vector<std::vector<double>>& values,
+                                   const Words& family, const Family& fields);
 
 /// Every such pose among the fields of a stream.
 std::vector<SpelledPose> spelledPoses(const std::vector<FieldName>& names);

@@ -55,14 +55,14 @@ class Table {
   std::vector<std::string> owners;  ///< See TextTable.
 
   /// Where no name speaks of a time: the one column that rises in even steps and counts no rows.
-  std::optional<TimeColumn> findRisingColumn(StreamSet& set) const {
+  std::optional<TimeColumn> findRisingColumn(StreamSet& set, double statedUnit) const {
     std::optional<TimeColumn> out;
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const auto name = readFieldName(names[c]);
       const bool other = asJoint(name) || asWrench(name) || asPose(name.words) || asInertial(name.words);
       if (other || !risesLikeTime(columns[c])) continue;
       if (out) return std::nullopt;
-      const auto unit = unitSi(name.unit, Quantity::time);
+      const auto unit = statedUnit > 0.0 ? std::optional(statedUnit) : unitSi(name.unit, Quantity::time);
       out = TimeColumn{c, unit.value_or(1.0), unit.has_value(), std::nullopt, 0.0};
     }
     if (out)
@@ -80,7 +80,7 @@ class Table {
     set.timeCandidates = names;
     const std::size_t rows = columns.empty() ? 0 : columns[0].size();
     auto time = choice.rateHz > 0.0 ? std::nullopt : findTime(names, choice);
-    if (!time && choice.rateHz <= 0.0 && choice.column.empty()) time = findRisingColumn(set);
+    if (!time && choice.rateHz <= 0.0 && choice.column.empty()) time = findRisingColumn(set, choice.unit);
     const bool lost = !time && choice.rateHz <= 0.0;
     if (lost && (choice.clockNeeded || !choice.column.empty())) {
       const bool few = choice.column.empty() && rows <= kMostPoses;

@@ -85,13 +85,15 @@ struct RowLook {
   std::size_t cells = 0;
   std::size_t numbers = 0;       ///< Dates count.
   std::size_t commaNumbers = 0;  ///< Of the numbers.
-  bool data() const { return numbers >= 3 && 2 * numbers >= cells; }
+  std::size_t empty = 0;         ///< Cells of series that have no sample in this row (PlotJuggler).
+  bool data() const { return numbers >= 3 && 2 * numbers >= cells - empty; }
 };
 
 RowLook lookAt(std::string_view line, char separator) {
   RowLook out;
   for (const auto cell : cellsOf(line, separator)) {
     ++out.cells;
+    out.empty += cell.empty() ? 1 : 0;
     if (isPlainNumber(cell) || secondsOfDate(cell)) {
       ++out.numbers;
     } else if (const auto listed = numbersInList(cell); listed > 0) {

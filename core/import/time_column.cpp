@@ -73,7 +73,7 @@ std::optional<TimeColumn> findTime(const std::vector<std::string>& names, const 
     auto unit = unitSi(read[i].unit, Quantity::time);
     const auto lower = lowerCase(names[i]);
     if (lower == "%time") unit = 1e-9;
-    if (libfranka && lower == "time") unit = 1e-3;
+    if (libfranka && (lower == "time" || lower == "duration")) unit = 1e-3;
     if (choice.unit > 0.0) unit = choice.unit;
     out.unit = unit.value_or(1.0);
     out.unitKnown = unit.has_value();
@@ -92,7 +92,8 @@ std::optional<TimeColumn> findTime(const std::vector<std::string>& names, const 
   std::optional<std::size_t> best;
   int bestRank = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const int rank = rankOf(read[i], lowerCase(names[i]));
+    const auto lower = lowerCase(names[i]);
+    const int rank = libfranka && lower == "duration" ? 1 : rankOf(read[i], lower);
     if (rank <= bestRank) continue;
     // The parts of a second are no clock by themselves.
     bool parts = false;

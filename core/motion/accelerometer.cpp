@@ -2,14 +2,18 @@
 
 #include <cmath>
 
+#include "core/math/linear_algebra.h"
+
 namespace heft {
 
 namespace {
 
 constexpr double kLeastExplained = 0.5;  ///< Share of the variance
-constexpr double kLeastTurn = 0.5;   ///< [m/s2] Deviation of the specific force about its mean: a tilt of 3 degrees.
-constexpr int kTurns = 10;           ///< Of rotation and lever in turn; four leave the lever 3 mm off in the tests.
-constexpr double kRateScale = 1.25;  ///< Rates that differ more in size are in degrees, or another body's.
+constexpr double kLeastTurn = 0.5;     ///< [m/s2] Deviation of the specific force about its mean: a tilt of 3 degrees.
+constexpr int kTurns = 10;             ///< Of rotation and lever in turn; four leave the lever 3 mm off in the tests.
+constexpr double kRateScale = 1.25;    ///< Rates that differ more in size are in degrees, or another body's.
+constexpr double kForceFollows = 0.8;  ///< Share of the force's variance; less is another body, or touched.
+constexpr double kAsWell = 1.5;        ///< Squares that gravity may leave unexplained, against the best rotation.
 constexpr double kLeverDoubt = 0.3;  ///< [m] How far from S a tool carries an accelerometer; holds what nothing tells.
 
 Eigen::Matrix3Xd aboutMean(const Eigen::Matrix3Xd& x) { return x.colwise() - x.rowwise().mean(); }
@@ -23,11 +27,65 @@ Matrix3d rotationBetween(const Matrix3d& product) {
   return U * V.transpose();
 }
 
+/// What the force says of the rotation: F = m R_SI (y - bias) + L d + bias', with d = m (c - p) for a centre of mass c
+/// and an accelerometer at p, L = leverMatrix().
+struct ToldByForce {
+  Matrix3d product = Matrix3d::Zero();  ///< For rotationBetween(), in the units of the readings
+  Matrix3d R_SI = Matrix3d::Identity();
+  double left = 0.0;   ///< [m2/s4], over all rows
+  double share = 0.0;  ///< Of the force's variance that the readings explain
+};
+
+std::optional<ToldByForce> askForce(const AccelerometerRows& rows) {
+  const Eigen::Index K = rows.readings.cols();
+  if (rows.force.cols() != K) return std::nullopt;
+  const Eigen::Matrix3Xd y = aboutMean(rows.readings), F = aboutMean(rows.force);
+  Eigen::Matrix3Xd lever(3, 3 * K);
+  Matrix3d mean = Matrix3d::Zero();
+  for (Eigen::Index k = 0; k < K; ++k) {
+    lever.middleCols<3>(3 * k) = leverMatrix(rows.omega.col(k), rows.alpha.col(k));
+    mean += lever.middleCols<3>(3 * k) / static_cast<double>(K);
+  }
+  for (Eigen::Index k = 0; k < K; ++k) lever.middleCols<3>(3 * k) -= mean;
+  // A free map of the readings (nine numbers, by columns) beside d.
+  MatrixXd H = MatrixXd::Zero(12, 12), B(3, 12);
+  VectorXd g = VectorXd::Zero(12);
+  for (Eigen::Index k = 0; k < K; ++k) {
+    for (int c = 0; c < 3; ++c) B.middleCols<3>(3 * c) = y(c, k) * Matrix3d::Identity();
+    B.rightCols<3>() = lever.middleCols<3>(3 * k);
+    H += B.transpose() * B;
+    g += B.transpose() * F.col(k);
+  }
+  H.diagonal().array() += 1e-9 * H.trace();
+  const Vector3d d = solveSymmetric(H, g).tail<3>();
+  Eigen::Matrix3Xd carried = F;
+  for (Eigen::Index k = 0; k < K; ++k) carried.col(k) -= lever.middleCols<3>(3 * k) * d;
+  ToldByForce out;
+  out.product = carried * y.transpose();
+  out.R_SI = rotationBetween(out.product);
+  const Eigen::Matrix3Xd turned = out.R_SI * y;
+  const double mass = turned.cwiseProduct(carried).sum() / y.squaredNorm();
+  if (!(mass > 0.0)) return std::nullopt;
+  out.product /= mass;
+  const double left = (carried - mass * turned).squaredNorm();
+  out.left = left / (mass * mass);
+  out.share = 1.0 - left / std::max(carried.squaredNorm(), 1e-12);
+  return out;
+}
+
 /// R_SI and the bias of readings y = R_SI^T s + bias. Readings and rates count by how well each follows.
 void fitRotation(const AccelerometerRows& rows, const Eigen::Matrix3Xd& s, AccelerometerMount& mount) {
   const Eigen::Matrix3Xd felt = aboutMean(rows.readings), told = aboutMean(s);
-  const Matrix3d gravity = told * felt.transpose();
+  Matrix3d gravity = told * felt.transpose();
   mount.R_SI = rotationBetween(gravity);
+  if (const auto force = askForce(rows); force && force->share > kForceFollows) {
+    const double byGravity = (mount.R_SI * felt - told).squaredNorm();
+    if ((force->R_SI * felt - told).squaredNorm() < kAsWell * byGravity && force->left > 0.0) {
+      gravity += byGravity / force->left * force->product;
+      mount.R_SI = rotationBetween(gravity);
+      mount.explained = force->share;
+    }
+  }
   if (rows.rates.cols() == felt.cols()) {
     const Eigen::Matrix3Xd turning = aboutMean(rows.rates), turned = aboutMean(rows.omega);
     const double size = turning.norm(), expected = turned.norm();
@@ -82,7 +140,8 @@ std::optional<AccelerometerMount> mountOf(const AccelerometerRows& rows, bool le
   const Eigen::Matrix3Xd left = mount.specificForce(rows.readings) - moved;
   const Vector3d meanOfReadings = rows.readings.rowwise().mean();
   mount.rms = std::sqrt(left.squaredNorm() / static_cast<double>(left.size()));
-  mount.explained = 1.0 - left.squaredNorm() / (rows.readings.colwise() - meanOfReadings).squaredNorm();
+  mount.explained =
+      std::max(mount.explained, 1.0 - left.squaredNorm() / (rows.readings.colwise() - meanOfReadings).squaredNorm());
   if (!(mount.explained > kLeastExplained)) return std::nullopt;
   return mount;
 }

@@ -13,7 +13,8 @@ struct AccelerometerMount {
   Vector3d p_SoI_S = Vector3d::Zero();  ///< [m]; zero where it was not asked for.
   Vector3d bias = Vector3d::Zero();     ///< [m/s2], in I axes
   double rms = 0.0;                     ///< [m/s2] What is left, per axis.
-  double explained = 0.0;               ///< Share of the readings' variance that the motion explains.
+  double explained = 0.0;               ///< Share of the readings' variance that the motion explains; or of the
+                                        ///< force's that the readings do, where that is more.
 
   /// s_I in S axes, of readings (3 x K).
   Eigen::Matrix3Xd specificForce(const Eigen::Ref<const Eigen::Matrix3Xd>& readings) const;
@@ -26,11 +27,13 @@ struct AccelerometerRows {
   const Eigen::Matrix3Xd& omega;          ///< [rad/s]
   const Eigen::Matrix3Xd& alpha;          ///< [rad/s2]
   const Eigen::Matrix3Xd& rates;          ///< [rad/s] Of a gyroscope in I axes; no columns where there is none.
+  const Eigen::Matrix3Xd& force;          ///< [N] On the payload, S axes; no columns where it is not to be asked.
 };
 
 /// The rotation by Wahba's problem (Markley 1988: one singular value decomposition), the lever by least squares in turn
 /// with it where `lever`. Accelerations that the motion does not tell average out of the rotation, since a tool that
-/// comes to rest was accelerated as much as slowed down. A gyroscope in rad/s tells the rotation, too. Nothing where
+/// comes to rest was accelerated as much as slowed down. A gyroscope in rad/s tells the rotation, too, and so does the
+/// force, which follows what the accelerometer feels: it counts where gravity does not speak against it. Nothing where
 /// gravity hardly turns in S, or where the readings follow the motion by less than half of their variance: another
 /// unit, another body, a wrong orientation.
 std::optional<AccelerometerMount> mountOf(const AccelerometerRows& rows, bool lever);

@@ -47,8 +47,10 @@ double beyondGravity(const Motion& motion) {
 }  // namespace
 
 void hearAccelerometer(const Eigen::Matrix3Xd& given, const Eigen::Matrix3Xd& rates, Motion& motion) {
+  const bool ask = !motion.originAccelerationKnown && motion.wrench.cols() == motion.size();
+  const Eigen::Matrix3Xd force = ask ? Eigen::Matrix3Xd(motion.wrench.topRows<3>()) : Eigen::Matrix3Xd(3, 0);
   const auto mountFor = [&](const Eigen::Matrix3Xd& y) {
-    return mountOf({y, motion.specificForce, motion.omega, motion.alpha, rates}, motion.originAccelerationKnown);
+    return mountOf({y, motion.specificForce, motion.omega, motion.alpha, rates, force}, motion.originAccelerationKnown);
   };
   auto mount = mountFor(given);
   Eigen::Matrix3Xd readings = given;

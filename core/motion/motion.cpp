@@ -432,12 +432,12 @@ Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, con
     return done.error();
   }
   motion.keptHz = smoother.keptHz();
-  if (recording.hasAccelerometer()) askAccelerometer(recording, smoother, grid, motion);
-  if (!motion.originAccelerationKnown) sayAccelerationUnknown(motion);
   if (recording.wrench.rows() > 0)  // noisierMotion() has none
     motion.wrench = smoother.wrench({grid, recording.time, recording.wrench, true}).transpose();
   else
     motion.wrench.setZero(6, motion.size());
+  if (recording.hasAccelerometer()) askAccelerometer(recording, smoother, grid, motion);
+  if (!motion.originAccelerationKnown) sayAccelerationUnknown(motion);
   return motion;
 }
 

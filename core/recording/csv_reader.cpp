@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/base/json_file.h"
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/recording/checks.h"
@@ -304,6 +305,15 @@ std::optional<Error> contractMisfit(std::string_view head, const std::string& na
   const auto map = mapColumns(header->names, meta, {name, header->line, 0}, aside);
   if (!map) return map.error();
   if (map->time == 0) return std::nullopt;
+  // "q1" to "q4" beside x, y and z are a quaternion rather than joints.
+  const auto bare = [&](const char* axis) {
+    return std::any_of(header->names.begin(), header->names.end(), [&](const std::string& each) {
+      return each == axis || (each.size() == 1 && each[0] == axis[0] - 32);
+    });
+  };
+  if (map->joints.size() == 4 && !meta.robot && bare("x") && bare("y") && bare("z"))
+    return errorAt({name, header->line, 0}, heft::say("there are {} joints but no robot is named.", map->joints.size()),
+                   remedy(Remedy::nameRobot));
   // The time of the first row with any content.
   std::string_view body = header->body;
   while (!body.empty()) {

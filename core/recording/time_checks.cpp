@@ -12,9 +12,10 @@ namespace heft {
 
 namespace {
 
-constexpr double kGapSteps = 5.0;       ///< A step of more than this many medians is a gap.
-constexpr double kSlowestMotion = 2.0;  ///< [s] A step above it is a wrong unit.
-constexpr double kLowestRate = 50.0;    ///< [Hz] Below it accelerations of a hand-guided arm are lost.
+constexpr double kGapSteps = 5.0;         ///< A step of more than this many medians is a gap.
+constexpr Eigen::Index kMostPoses = 200;  ///< So few rows at one a second may be a slow motion.
+constexpr double kSlowestMotion = 2.0;    ///< [s] A step above it is a wrong unit.
+constexpr double kLowestRate = 50.0;      ///< [Hz] Below it accelerations of a hand-guided arm are lost.
 
 std::string seconds(double value) {
   return value < 0.1 ? heft::say("{:.4g} ms", 1e3 * value) : heft::say("{:.4g} s", value);
@@ -73,11 +74,19 @@ std::optional<Error> checkSteps(const Examined& examined) {
   const auto field = examined.map.time;
 
   // Nobody guides an arm for hours at one sample a second: such times are milliseconds or nanoseconds.
+  const bool counted = low == 1.0 && high == 1.0 && time.size() > kMostPoses;
+  if (counted)
+    return errorAt(examined.at(1, field),
+                   heft::say("the time increases by exactly 1 from row to row, like row numbers."),
+                   remedy(Remedy::stateRate) + " " + remedy(Remedy::sayStandingPoses));
   if (median > kSlowestMotion || (median > 0.2 && time.size() > 1000))
     return errorAt(examined.at(1, field), heft::say("the time increases by {:.6g} s from row to row (median).", median),
                    (median >= 1e5   ? heft::say("Write time in seconds, not nanoseconds or microseconds.")
                     : median >= 1e3 ? heft::say("Write time in seconds, not microseconds.")
                                     : heft::say("Write time in seconds, not milliseconds.")) +
+                       " " +
+                       heft::say("Or state its unit in a map file: {}.",
+                                 fmt::format(R"({{"scale": {{"time": {:g}}}}})", median >= 1e3 ? 1e-6 : 1e-3)) +
                        " " + remedy(Remedy::sayStandingPoses));
   if (median < 2e-5)
     examined.note(Severity::warning, "time_unit", examined.column(field),

@@ -9591,6 +9591,42 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The time stamps jitter by {:.2g} ms. At even steps of {:.4g} ms the motion is much smoother, so these were used.</source>
         <translation>Die Zeitstempel streuen um {:.2g} ms. In gleichen Schritten von {:.4g} ms ist die Bewegung viel glatter; diese wurden verwendet.</translation>
     </message>
+    <message>
+        <source>{} has {} poses and {} has {} wrenches, without times in common.</source>
+        <translation>{} enthält {} Posen und {} enthält {} Kraft-/Momentwerte, ohne gemeinsame Zeiten.</translation>
+    </message>
+    <message>
+        <source>Standing poses in two files are joined row by row: write as many rows in both.</source>
+        <translation>Standposen in zwei Dateien werden Zeile für Zeile verbunden: Schreiben Sie in beide gleich viele Zeilen.</translation>
+    </message>
+    <message>
+        <source>{} and {} were joined row by row.</source>
+        <translation>{} und {} wurden Zeile für Zeile verbunden.</translation>
+    </message>
+    <message>
+        <source>There are {} joints but no robot is named, so the pose is read instead and taken for the sensor&apos;s.</source>
+        <translation>Es gibt {} Gelenke, aber es ist kein Roboter genannt; daher wird stattdessen die Pose gelesen und als die des Sensors genommen.</translation>
+    </message>
+    <message>
+        <source>pose of an ABB, the quaternion&apos;s real part first</source>
+        <translation>Pose eines ABB, Realteil der Quaternion zuerst</translation>
+    </message>
+    <message>
+        <source>the time increases by exactly 1 from row to row, like row numbers.</source>
+        <translation>die Zeit steigt von Zeile zu Zeile um genau 1, wie Zeilennummern.</translation>
+    </message>
+    <message>
+        <source>Or state its unit in a map file: {}.</source>
+        <translation>Oder geben Sie ihre Einheit in einer Zuordnungsdatei an: {}.</translation>
+    </message>
+    <message>
+        <source>Joints of two arms are there; {} was used, and it could also be {}.</source>
+        <translation>Es gibt Gelenke zweier Arme; {} wurde verwendet, es könnte auch {} sein.</translation>
+    </message>
+    <message>
+        <source>Choose the joints one by one, for instance --use q1={}.</source>
+        <translation>Wählen Sie die Gelenke einzeln, zum Beispiel mit --use q1={}.</translation>
+    </message>
 </context>
 <context>
     <name>heft::CarriedObjects</name>

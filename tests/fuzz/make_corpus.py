@@ -103,6 +103,8 @@ def main():
         for k in range(12)
     )
     put("json_lines", "nested.jsonl", lines)
+    put("json_lines", "topics.jsonl", '{"topic":"/a","msg":{"header":{"stamp":{"secs":1,"nsecs":2}},"name":["j1"],"position":[1]}}\n'
+        '{"topic":"/b","msg":{"force":{"x":1}}}\n{"topic":3,"msg":[]}\n{"topic":"/c","data":{"header":7}}\n')
     put("json_lines", "stamps.jsonl", '{"header":{"stamp":{"sec":9e18,"nanosec":999999999}},"fx":NaN}\n{"fx":[1,null]}\n')
     put("recording", "nested.jsonl", lines)
     put("ros_bag", "cut.bag", (RECORDINGS / "ros1_none.bag").read_bytes()[:6000])
@@ -147,6 +149,9 @@ def main():
     joint = '<joint name="j{0}" type="{1}"><parent link="l{0}"/><child link="l{2}"/><origin xyz="0 0 0.3" rpy="0 1 0"/><axis xyz="0 0 1"/><limit lower="-1" upper="1" velocity="2" effort="9"/></joint>'
     put("urdf", "arm.urdf", '<?xml version="1.0"?><robot name="r">' + "".join(link.format(f"l{k}") for k in range(4))
         + joint.format(0, "revolute", 1) + joint.format(1, "prismatic", 2) + joint.format(2, "fixed", 3) + "</robot>")
+    put("urdf_copy", "arm.urdf", '<?xml version="1.0"?>\n<robot name="r"><!-- a < b -->\n  <link name="base"/>\n  <link name=\'l1\'>\n    <visual/><inertial><mass value="1"/></inertial>\n'
+        '  </link><link name="tool0"/>\n<joint name="j" type="fixed"><parent link="l1"/><child link="tool0"/></joint></robot>\n')
+    put("urdf_copy", "odd.urdf", '\xef\xbb\xbf<robot name="&amp;"><link name="flange"><inertial/><inertial>\r\n</inertial ></link><link name="l1" /></robot')
     put("urdf", "odd.urdf", '<robot name="&amp;&#x41;"><!-- c --><link name="a"/><link name="b"/><joint name="j" type="continuous"><parent link="a"/>'
         '<child link="b"/><axis xyz="0 0 0"/><mimic joint="j" multiplier="nan"/></joint></robot>')
     put("session", "full.heft", json.dumps({

@@ -11,6 +11,7 @@
 
 #include "core/base/json_file.h"
 #include "core/exporters/controller_file.h"
+#include "core/exporters/urdf_copy.h"
 #include "core/import/import.h"
 #include "core/import/json_numbers.h"
 #include "core/import/message_definition.h"
@@ -130,6 +131,18 @@ void urdf(std::string_view bytes) {
     require(robot->linkPose(q, static_cast<int>(i)).matrix().allFinite());
 }
 
+/// A robot's file that a payload is written into: what comes out is a URDF as long as what went in was one.
+void urdfCopy(std::string_view bytes) {
+  const std::string given(bytes);
+  FlangePayload payload;
+  payload.input.payload = {1.2, {0.01, -0.02, 0.07}, 1e-3 * Matrix3d::Identity()};
+  for (const char* const link : {"tool0", "flange", "l1"}) {
+    Findings findings;
+    const auto written = payloadIntoUrdf(given, "robot.urdf", link, payload, findings);
+    if (written) require(written->size() > given.size() / 2 && written->find("1.2") != std::string::npos);
+  }
+}
+
 void session(std::string_view bytes) {
   if (const auto read = parseSession(bytes, "input.heft", "/tmp")) (void)sessionText(*read, "/tmp");
 }
@@ -228,6 +241,7 @@ constexpr Parser kParsers[] = {{"recording", recording},
                                {"payload", payload},
                                {"lesson", lesson},
                                {"urdf", urdf},
+                               {"urdf_copy", urdfCopy},
                                {"session", session},
                                {"foxglove", foxglove},
                                {"rosbridge", rosbridge},

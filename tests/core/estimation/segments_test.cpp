@@ -6,6 +6,7 @@
 
 #include "core/estimation/estimate.h"
 #include "core/estimation/segment_recording.h"
+#include "core/motion/accelerometer.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/random_tool.h"
 
@@ -110,6 +111,59 @@ TEST(Segments, OrientationAloneWithASwingIsUnderstood) {
                           [](const Finding& finding) { return finding.code == "swing_assumed"; }));
   EXPECT_NEAR(report->payload.mass, 0.9, 0.01);
   EXPECT_LT((report->payload.com - payload.com).norm(), 0.003);
+}
+
+/// Orientation alone, of a sensor that is carried about, with an accelerometer that stands beside it and is turned.
+TEST(Segments, AnAccelerometerBesideTheSensorGivesWhatTheOrientationLacks) {
+  const Payload payload = test::boxPayload(0.9, {0.06, 0.06, 0.08}, {0.01, -0.005, 0.045});
+  const Vector3d place(0.03, -0.02, 0.05);  // [m]
+  const Matrix3d R_SI = rotationFromRpy({1.5, 0.1, -2.0});
+  const Vector3d gravity(0.0, 0.0, -9.81);
+  constexpr Eigen::Index kRows = 1200;
+  Recording recording;
+  recording.meta.gravity = gravity;
+  recording.time = VectorXd::LinSpaced(kRows, 0.0, 12.0 - 0.01);
+  recording.quaternion.resize(kRows, 4);
+  recording.wrench.resize(kRows, 6);
+  recording.accelerometer.resize(kRows, 3);
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise;
+  const auto turnAt = [](double t) {
+    return rotationFromRpy({0.9 * std::sin(1.7 * t), 0.8 * std::sin(1.3 * t + 1.0), 0.6 * std::sin(2.1 * t)});
+  };
+  for (Eigen::Index i = 0; i < kRows; ++i) {
+    constexpr double kStep = 1e-3;  // [s]
+    const double t = recording.time(i);
+    const Matrix3d R = turnAt(t), before = turnAt(t - kStep), after = turnAt(t + kStep);
+    const auto rate = [&](const Matrix3d& from, const Matrix3d& to) -> Vector3d {
+      const Eigen::AngleAxisd turn(Matrix3d(from.transpose() * to));
+      return turn.angle() / kStep * turn.axis();
+    };
+    const Vector3d omega = 0.5 * (rate(before, R) + rate(R, after));
+    const Vector3d alpha = (rate(R, after) - rate(before, R)) / kStep;
+    const Vector3d a_B(1.5 * std::sin(5.0 * t), 2.0 * std::cos(3.7 * t), 1.0 * std::sin(6.3 * t));
+    const Vector3d s = R.transpose() * (a_B - gravity);
+    Quaterniond q(R);
+    if (q.w() < 0.0) q.coeffs() = -q.coeffs();
+    for (int c = 0; c < 4; ++c) recording.quaternion(i, c) = q.coeffs()(c) + 1e-4 * noise(random);
+    Vector6d wrench = predictWrench(payload, {s, omega, alpha});
+    for (int c = 0; c < 6; ++c) wrench(c) += (c < 3 ? 0.03 : 0.002) * noise(random);
+    recording.wrench.row(i) = wrench.transpose();
+    Vector3d felt = R_SI.transpose() * (s + leverMatrix(omega, alpha) * place);
+    for (int c = 0; c < 3; ++c) felt(c) += 0.02 * noise(random);
+    recording.accelerometer.row(i) = felt.transpose();
+  }
+  const auto with = estimate(recording, nullptr, {});
+  ASSERT_TRUE(with);
+  EXPECT_TRUE(std::any_of(with->findings.begin(), with->findings.end(),
+                          [](const Finding& finding) { return finding.code == "accelerometer_used"; }));
+  EXPECT_NE(with->trust, Trust::none);
+  EXPECT_NEAR(with->payload.mass, 0.9, 0.01);
+  EXPECT_LT((with->payload.com - payload.com).norm(), 0.003);
+  recording.accelerometer.resize(0, 3);
+  const auto without = estimate(recording, nullptr, {});
+  ASSERT_TRUE(without);
+  EXPECT_LT(with->heldoutForceRms, 0.5 * without->heldoutForceRms);
 }
 
 TEST(Segments, ARecordingThatIsAllContactStillHasSegments) {

@@ -78,6 +78,29 @@ TEST(Offset, IsFoundWhereSlowTiltingLooksAlikeElsewhere) {
   EXPECT_NEAR(found.seconds, 1.5, 0.02);
 }
 
+/// A centre far from the sensor, turned quickly: what accelerates it beside the sensor belongs to the force.
+TEST(Offset, IsFinerWithWhatTheLeverDoes) {
+  const Eigen::Index count = 2000;
+  MatrixXd motion(12, count);
+  motion.topRows<3>() = wandering(count);
+  for (Eigen::Index k = 0; k < count; ++k)
+    for (int row = 3; row < 12; ++row)
+      motion(row, k) = 8.0 * std::sin((1.1 + 0.37 * row) * 0.01 * static_cast<double>(k) + row);
+  constexpr double kTruth = 0.1234;  // [s]
+  VectorXd time(1600);
+  Eigen::MatrixX3d force(1600, 3);
+  for (Eigen::Index k = 0; k < 1600; ++k) {
+    time(k) = 2.0 + 0.01 * static_cast<double>(k) - kTruth;
+    const VectorXd x = motion.col(200 + k);
+    force.row(k) = (0.8 * x.head<3>() + 0.1 * (x.segment<3>(3) + x.segment<3>(6) - x.tail<3>())).transpose();
+  }
+  const auto plain = findOffset(motion.topRows<3>(), 0.0, 100.0, time, force, -5.0, 5.0);
+  const auto fine = findOffset(motion, 0.0, 100.0, time, force, -5.0, 5.0);
+  EXPECT_NEAR(fine.seconds, kTruth, 0.0005);
+  EXPECT_LT(fine.std, 0.001);
+  EXPECT_GT(std::abs(plain.seconds - kTruth), 0.002);
+}
+
 TEST(Offset, IsUnsureWhereTheMotionRepeatsItself) {
   Eigen::Matrix3Xd same(3, 2000);
   for (Eigen::Index k = 0; k < 2000; ++k) {

@@ -102,9 +102,8 @@ struct TableRow {
   double wrench[6];
 };
 
-TEST_F(OddHdf5, MembersOfCompoundTypesAreColumns) {
-  const auto path = write("table.h5", "");
-  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+/// A table `name` of 100 rows under `parent`, its wrench times `scale`.
+void writeTable(hid_t parent, const char* name, double scale) {
   const hsize_t seven = 7, six = 6, rows = 100;
   const hid_t joints = H5Tarray_create2(H5T_NATIVE_DOUBLE, 1, &seven);
   const hid_t wrench = H5Tarray_create2(H5T_NATIVE_DOUBLE, 1, &six);
@@ -116,18 +115,52 @@ TEST_F(OddHdf5, MembersOfCompoundTypesAreColumns) {
   for (std::size_t k = 0; k < rows; ++k) {
     table[k].time = 0.01 * static_cast<double>(k);
     for (int j = 0; j < 7; ++j) table[k].q[j] = jointAt(table[k].time, j);
-    for (int a = 0; a < 6; ++a) table[k].wrench[a] = wrenchAt(table[k].time, a);
+    for (int a = 0; a < 6; ++a) table[k].wrench[a] = scale * wrenchAt(table[k].time, a);
   }
   const hid_t space = H5Screate_simple(1, &rows, nullptr);
-  const hid_t set = H5Dcreate2(file, "log", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t set = H5Dcreate2(parent, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
   ASSERT_GE(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.data()), 0);
   for (const hid_t each : {joints, wrench, type}) H5Tclose(each);
   H5Dclose(set);
   H5Sclose(space);
+}
+
+TEST_F(OddHdf5, MembersOfCompoundTypesAreColumns) {
+  const auto path = write("table.h5", "");
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  writeTable(file, "log", 1.0);
   H5Fclose(file);
   const auto read = openRecording(path);
   ASSERT_TRUE(read.ok()) << read.error().message;
   expectFormula(read->recording);
+}
+
+/// Tables of one form in one group, which links lead to again and PyTables keeps an index for.
+TEST_F(OddHdf5, TablesOfOneFormAreDemonstrations) {
+  const auto path = write("tables.h5", "");
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t group = H5Gcreate2(file, "runs", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  writeTable(group, "evening", 2.0);
+  writeTable(group, "morning", 1.0);
+  H5Lcreate_soft("/runs", file, "best", H5P_DEFAULT, H5P_DEFAULT);
+  H5Lcreate_soft("/runs/morning", file, "today", H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t index = H5Gcreate2(group, "_i_morning", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  const hsize_t many = 131072;
+  writeNumbers(index, "sorted", 1, &many, [](hsize_t k) { return static_cast<double>(k); });
+  H5Gclose(index);
+  H5Gclose(group);
+  H5Fclose(file);
+  const auto first = openRecording(path);
+  ASSERT_TRUE(first.ok()) << first.error().message;
+  const auto texts = allTexts(first->findings);
+  EXPECT_THAT(texts, ::testing::HasSubstr("holds 2 demonstrations; /runs/evening was read, not /runs/morning"));
+  EXPECT_THAT(texts, ::testing::Not(::testing::HasSubstr("131072")));
+  EXPECT_NEAR(first->recording.wrench(0, 2), -10.0, 1e-9);
+  ImportOptions options;
+  options.use = {"demo=morning"};
+  const auto chosen = openRecording(path, options);
+  ASSERT_TRUE(chosen.ok()) << chosen.error().message;
+  expectFormula(chosen->recording);
 }
 
 /// Datasets t, q, wrench under `group` of `file`.

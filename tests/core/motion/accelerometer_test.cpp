@@ -93,6 +93,32 @@ TEST(Accelerometer, StandsInForTheAccelerationThatOrientationLacks) {
   }
 }
 
+/// The force follows what the accelerometer feels, wherever the tool's centre is; one of the opposite sign is no help
+/// and does no harm.
+TEST(Accelerometer, TheForceTellsHowItIsTurned) {
+  const Matrix3d R_SI = rotationFromRpy(kMountRpy);
+  const Vector3d com(0.02, 0.01, -0.06);  // [m]
+  const auto without = motionOf(recorded(false, false, 3), nullptr, {});
+  for (const double sign : {1.0, -1.0}) {
+    Recording recording = recorded(false, false, 3);
+    std::mt19937 random(4);
+    std::normal_distribution<double> noise(0.0, 0.05);
+    for (Eigen::Index k = 0; k < recording.rows(); ++k) {
+      const Vector3d force = sign * 1.3 * feltAt(recording.time(k), com) + Vector3d(4.0, -2.0, 7.0);
+      for (int c = 0; c < 3; ++c) recording.wrench(k, c) = force(c) + noise(random);
+    }
+    const auto motion = motionOf(recording, nullptr, {});
+    ASSERT_TRUE(motion.ok() && motion->accelerometer && without.ok() && without->accelerometer);
+    if (sign > 0.0) {
+      EXPECT_LT(degreesBetween(motion->accelerometer->R_SI, R_SI), 0.2);
+      EXPECT_GT(degreesBetween(without->accelerometer->R_SI, R_SI), 0.5);
+      EXPECT_GT(motion->accelerometer->explained, 0.95);
+    } else {
+      EXPECT_LT(degreesBetween(motion->accelerometer->R_SI, without->accelerometer->R_SI), 1e-6);
+    }
+  }
+}
+
 TEST(Accelerometer, OneThatReportsGravityIsTurned) {
   for (const bool positions : {false, true})
     for (const bool gyroscope : {false, true}) {
@@ -119,7 +145,7 @@ TEST(Accelerometer, ItsWholeMountIsFoundWhereTheMotionIsKnown) {
     s.col(k) = feltAt(motion->time(k), Vector3d::Zero());
   }
   const Eigen::Matrix3Xd none(3, 0);
-  const auto mount = mountOf({readings, s, motion->omega, motion->alpha, none}, true);
+  const auto mount = mountOf({readings, s, motion->omega, motion->alpha, none, none}, true);
   ASSERT_TRUE(mount);
   EXPECT_LT(degreesBetween(mount->R_SI, rotationFromRpy(kMountRpy)), 0.1);
   EXPECT_LT((mount->p_SoI_S - kLever).norm(), 0.003);
