@@ -1,4 +1,4 @@
-// "What does today's entry cost?" in the step Result.
+// "What does the controller's current entry cost?" in the step Result.
 #include <gtest/gtest.h>
 
 #include <QDialogButtonBox>
