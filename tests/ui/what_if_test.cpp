@@ -123,8 +123,8 @@ TEST_F(WhatIfTest, TheScriptSaysWhatItCannotTurn) {
                                    {"whatif", "time_offset", "-1"},
                                    {"whatif", "time_offset", "1000"}}) {
     const auto obeyed = panel->obey(words);
-    ASSERT_TRUE(obeyed);
-    EXPECT_FALSE(obeyed->ok()) << words.join(' ').toStdString();
+    // Nothing: the line has none of the forms, which the runner then lists.
+    EXPECT_FALSE(obeyed && obeyed->ok()) << words.join(' ').toStdString();
   }
 }
 

@@ -412,7 +412,7 @@ std::optional<Result<bool>> MarkPanel::obey(const QStringList& words) {
   const double from = words.value(1).toDouble(&first), to = words.value(2).toDouble(&second);
   const QString word = words.value(3);
   const auto label = markLabelFromString(word.toStdString());
-  if (words.size() != 4 || !first || !second || !(to > from) || (!label && word != "suggested")) return std::nullopt;
+  if (words.size() != 4 || !first || !second || (!label && word != "suggested")) return std::nullopt;
   if (!workspace().opened()) return Result<bool>(Error{tr("mark needs an open recording.").toStdString()});
   workspace().paint(from, to, label);
   return Result<bool>(true);
