@@ -10015,7 +10015,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>What does the controller’s current entry cost?</source>
-        <translation>Was kostet der aktuelle Eintrag in der Steuerung?</translation>
+        <translation>Was kostet der aktuelle Eintrag?</translation>
     </message>
 </context>
 <context>
@@ -11079,6 +11079,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>excluded at each end</source>
         <translation>an jedem Ende weggelassen</translation>
+    </message>
+    <message>
+        <source>A segment has to end after it begins.</source>
+        <translation>Ein Abschnitt muss nach seinem Anfang enden.</translation>
     </message>
 </context>
 <context>

@@ -413,6 +413,7 @@ std::optional<Result<bool>> MarkPanel::obey(const QStringList& words) {
   const QString word = words.value(3);
   const auto label = markLabelFromString(word.toStdString());
   if (words.size() != 4 || !first || !second || (!label && word != "suggested")) return std::nullopt;
+  if (!(to > from)) return Result<bool>(Error{tr("A segment has to end after it begins.").toStdString()});
   if (!workspace().opened()) return Result<bool>(Error{tr("mark needs an open recording.").toStdString()});
   workspace().paint(from, to, label);
   return Result<bool>(true);
