@@ -314,12 +314,13 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
 
   std::vector<Triangle> added = others;
   if (options.method == Method::map && !isMapFull(options)) added.insert(added.begin(), solved.believed);
-  const auto [heldout, unseen] = predictHeldOut(prepared, solved, added, [&](const Triangle& rest) -> SolverSolution {
-    if (!isMapFull(options)) return solveWithKnown(options.method, &rest, nullptr, options, fixed, solved.noise);
-    MapSolution part = solveMap(rest, prior, options.bias, unbounded.v);
-    if (cone) part = solveInside(rest, prior, options.bias, part, *cone).map;
-    return {part.phi, part.bias, part.converged, part.iterations, ""};
-  });
+  const auto [heldout, unseen] =
+      predictHeldOut(prepared, solved, added, [&, &given = prior](const Triangle& rest) -> SolverSolution {
+        if (!isMapFull(options)) return solveWithKnown(options.method, &rest, nullptr, options, fixed, solved.noise);
+        MapSolution part = solveMap(rest, given, options.bias, unbounded.v);
+        if (cone) part = solveInside(rest, given, options.bias, part, *cone).map;
+        return {part.phi, part.bias, part.converged, part.iterations, ""};
+      });
   report.heldoutForceRms = heldout.force;
   report.heldoutTorqueRms = heldout.torque;
 

@@ -118,7 +118,7 @@ Result<bool> RecordPanel::replay(const QString& file) {
         std::this_thread::sleep_for(std::chrono::milliseconds(300));
         return true;
       },
-      [](Result<bool>) {});
+      [](const Result<bool>&) {});
   return Result<bool>(true);
 }
 
