@@ -212,7 +212,7 @@ void ShapePanel::pickUnknown() {
 }
 
 QString ShapePanel::change(Shape next, const QString& text, int key) {
-  if (const QString why = shapeProblem(next); !why.isEmpty()) return why;
+  if (QString why = shapeProblem(next); !why.isEmpty()) return why;
   ShapeChoice edited = choice();
   edited.shape = std::move(next);
   setChoice(edited, text, key);
