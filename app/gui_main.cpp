@@ -125,7 +125,7 @@ int run(int argc, char** argv, const Options& options) {
     if (!failure.isEmpty()) code = complain(kFailed, failure.toStdString());
     application.exit(code);
   });
-  // The window shows what failed; a picture of it is worth having, and the exit code tells it all the same.
+  // The window shows what failed: the picture is worth having, and the exit code reports the failure anyway.
   runner.start(options.script.empty());
   return QApplication::exec();
 }

@@ -89,10 +89,10 @@ void requireRange(const std::string& option, double value, double lower, double 
 /// Writes to stdout and fails where that fails (a full disk behind a redirection).
 void print(std::string_view text);
 
-/// Writes to stderr. Where nobody can read it any more, as on a terminal that was closed, the work goes on.
+/// Writes to stderr. If nothing can read it any more (the terminal was closed), the work goes on.
 void tell(std::string_view text);
 
-/// Warnings and errors, one a line, to stderr; information too where `all` is set.
+/// Warnings and errors, one per line, to stderr; information too where `all` is set.
 void printFindings(const Findings& findings, bool all);
 
 nlohmann::json toJson(const Findings& findings);

@@ -1,5 +1,5 @@
 #pragma once
-// Many recordings, each by itself: a pool of processes and one line of JSON a recording.
+// Many recordings, each by itself: a pool of processes and one line of JSON per recording.
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
@@ -10,7 +10,7 @@ namespace heft::cli {
 
 struct EachRecording {
   std::vector<std::string> files;
-  int jobs = 0;                     ///< Processes at a time; 0: one a core.
+  int jobs = 0;                     ///< Processes at a time; 0: one per core.
   std::filesystem::path jsonLines;  ///< "-" is stdout.
   bool startOver = false;           ///< Whether a file of lines that is there is replaced instead of continued.
 };

@@ -94,7 +94,7 @@ class Kept {
         !joints && std::ranges::all_of(samples_, [](const auto& s) { return s.position.has_value(); });
     for (const auto& sample : samples_)
       if (joints ? sample.q.has_value() : sample.orientation.has_value()) rows.push_back(&sample);
-    // Without a gap: a few rows are given up for it, and more where nothing else tells the acceleration.
+    // Without gaps: this costs a few rows, and more where the acceleration comes from nothing else.
     const auto unfelt = [](const auto* s) { return !s->accelerometer; };
     const auto lacking = std::ranges::count_if(rows, unfelt);
     const bool felt =
@@ -168,7 +168,7 @@ json statusJson(const SessionStatus& status) {
           {"recorded", status.recorded}};
 }
 
-/// A line that changes on a terminal, one a second elsewhere; to stderr, as stdout is for the result.
+/// A line that changes on a terminal, once a second elsewhere; to stderr, as stdout is for the result.
 class StatusLine {
  public:
   StatusLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
@@ -323,7 +323,7 @@ class LiveRun {
     }
   }
 
-  /// The first sample tells whether there are joints, and so which arm is needed.
+  /// The first sample shows whether there are joint angles, and so which arm is needed.
   void begin(const LiveSample& first) {
     if (first.q && !meta_.robot) {
       if (first.joints != 7)

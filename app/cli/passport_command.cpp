@@ -50,7 +50,7 @@ bool sameNumbers(const json& one, const json& other) {
   return a && b && toParameters(*a).isApprox(toParameters(*b), kSameNumbers);
 }
 
-/// Takes over what a heft.diagnose/1 says of the numbers in `result`.
+/// Adds what a heft.diagnose/1 says about the numbers in `result`.
 void addCauses(const PassportArguments& options, const json& result, PassportContent& content) {
   const json found = orFail(readJsonFile(options.causes));
   if (const auto error = whatIsMissing(found, options.causes, {})) throw Failed(error->message);
@@ -130,8 +130,8 @@ Command makePassportCommand(CLI::App& root) {
       "  heft passport result.json --tool \"Gripper 3\" --json gripper.json --page gripper.html\n"
       "  heft passport result.json --tool \"Gripper 3\" --proof proof.json --causes found.json --json gripper.json\n"
       "  heft passport result.json --tool \"Gripper 3\" --since gripper-october.json\n\n"
-      "Heft Studio saves the same page as PDF; without a window it is HTML, which any browser prints. A passport\n"
-      "can be made, whatever it says (exit code 0): a change beyond chance is told in the text and in \"since\".");
+      "Heft Studio saves the same page as PDF; here it is HTML, which any browser prints. The exit code is 0\n"
+      "whatever the passport says: a change beyond chance is reported in the text and in \"since\".");
   return {app, [options] { makePassport(*options); }};
 }
 

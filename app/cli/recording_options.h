@@ -1,5 +1,5 @@
 #pragma once
-// How every command that reads a recording is told which topics and columns to take.
+// Options for topics and columns, common to all commands that read a recording.
 #include <optional>
 #include <string>
 

@@ -34,19 +34,12 @@ void writeTouched(const RoomArguments& options) {
   const nlohmann::json result =
       options.result.empty() ? heft::toJson(orFail(estimate(input.recording, input.model(), {}, line.progress())))
                              : orFail(readJsonFile(options.result));
-  const CompensateOptions settings =
-      orFail(compensateOptionsFromJson(result, options.result.empty() ? input.recording.file : options.result));
-  const Compensated compensated = orFail(compensate(input.recording, input.model(), settings, line.progress()));
-  TouchedRoom touched = orFail(touchedRoom(input.recording, input.model(), compensated, *tool));
   line.clear();
-  touched.findings.insert(touched.findings.begin(), input.findings.begin(), input.findings.end());
-  if (touched.planes.empty()) {
-    printFindings(touched.findings, true);
-    throw Failed(
-        fmt::format("{} contains no contact that defines a plane. Press the tool against each wall or table and hold "
-                    "it for a second, with free motion between.",
-                    input.recording.file));
-  }
+  printFindings(input.findings, true);
+  const TouchedRoom touched =
+      orFail(findTouchedRoom(input.recording, input.model(), result,
+                             options.result.empty() ? input.recording.file : options.result, *tool, line.progress()));
+  line.clear();
   const Room room = roomOf(touched, options.margin);
   writeOutput(options.output, fileText(heft::toJson(room)), overwrite);
   printFindings(touched.findings, true);

@@ -155,17 +155,18 @@ void requireTorques(const Simulated& simulated, double rateHz) {
                     use.sentence()));
 }
 
-void run(SimulateArguments options) {
-  const std::vector<std::string> words{"excitation", "pick-and-place", "free"};
+const std::vector<std::string> kMotionWords{"excitation", "pick-and-place", "free"};
+
+/// Takes what the words say into options.simulate; which of kMotionWords.
+std::size_t check(SimulateArguments& options) {
   constexpr std::array kMotions{MotionKind::excitation, MotionKind::pickAndPlace, MotionKind::free};
-  constexpr std::array kTitles{"superposed sines", "pick and place", "free hand guiding"};
   if (options.motion.empty() && options.like.file.empty()) throw WrongUsage("--motion is required.");
   if (options.like.file.empty() && (options.like.fixed || !options.like.without.empty()))
     throw WrongUsage("--without and --fixed go with --like.");
   if (options.clearance.room.empty() && !(options.clearance.shape + options.clearance.shapeFile).empty())
     throw WrongUsage("--shape and --shape-file say what the arm holds in a --room.");
-  if (options.motion.empty()) options.motion = words.back();
-  const std::size_t motion = chooseWord("--motion", options.motion, words);
+  if (options.motion.empty()) options.motion = kMotionWords.back();
+  const std::size_t motion = chooseWord("--motion", options.motion, kMotionWords);
   options.simulate.motion = kMotions[motion];
   options.simulate.seed = parseSeed(options.seed);
   for (const auto& text : options.effects) {
@@ -184,38 +185,16 @@ void run(SimulateArguments options) {
   if (!options.rpy.empty()) options.simulate.mount.rpy = parseVector3("--rpy", options.rpy);
   if (options.output == "-" || options.truth == "-")
     throw WrongUsage("A recording is two files and its truth a third; give names, not -.");
-  const std::filesystem::path csv = options.output;
-  if (csv.extension() != ".csv")
+  if (std::filesystem::path(options.output).extension() != ".csv")
     throw WrongUsage(fmt::format("-o expects a name that ends in .csv, not '{}'.", options.output));
+  return motion;
+}
 
-  Payload payload = defaultTool();
-  if (!options.payload.empty())
-    payload = orFail(payloadFromJson(orFail(readJsonFile(options.payload)), options.payload));
-  if (const auto consistency = checkPhysical(payload); !consistency.physical)
-    throw Failed(fmt::format("{}: such a payload cannot exist: {}", options.payload, consistency.reason));
-
-  std::string motionWords, causes;
-  const std::optional<Payload> carried = options.payload.empty() ? std::nullopt : std::optional(payload);
-  const auto make = [&](const SimulateOptions& simulate, const Progress& progress, std::string& said) {
-    if (!options.like.file.empty()) return simulateLike(options.like, simulate, carried, progress, said);
-    return orFail(heft::simulate(RobotModel::panda(), payload, simulate, progress));
-  };
-  Simulated simulated = [&] {
-    ProgressLine line;
-    if (!options.clearance.room.empty())
-      options.simulate.motionSeed =
-          motionClearOf(options.clearance, options.simulate, make, line.progress(), motionWords);
-    return make(options.simulate, line.progress(), causes);
-  }();
-  requireTorques(simulated, options.simulate.rateHz);
-  simulated.recording.meta.note =
-      fmt::format("{}: {}, seed {}, {} Hz", kNote, words[motion], options.simulate.seed, options.simulate.rateHz);
-  requireExpendable(csv, simulated.recording.meta, options.force);
-  orFail(writeRecording(simulated.recording, csv));
-  if (!options.truth.empty())
-    writeOutput(options.truth, fileText(truthJson(simulated.truth, options)),
-                {options.force, [](const std::string& old) { return hasSchema(old, "heft.truth/1"); }});
-
+/// What was written, as JSON and for a person. `said`: of motion and causes.
+void tell(const SimulateArguments& options, std::size_t motion, const Simulated& simulated, double mass,
+          const std::string& said) {
+  constexpr std::array kTitles{"superposed sines", "pick and place", "free hand guiding"};
+  const std::filesystem::path csv = options.output;
   const auto meta = metaFileOf(csv);
   if (!options.json.empty()) {
     json summary{{"schema", "heft.simulate/1"},
@@ -236,11 +215,44 @@ void run(SimulateArguments options) {
       fmt::format("{} and {}: {} samples, {:.1f} s of {} at {:g} Hz, seed {}\n", displayName(csv),
                   displayName(meta.filename()), simulated.recording.rows(), simulated.recording.duration(),
                   kTitles[motion], options.simulate.rateHz, options.simulate.seed);
-  text += motionWords + causes;
+  text += said;
   if (options.payload.empty() && options.like.file.empty())
-    text += fmt::format("  payload: built-in {:.2f} kg tool\n", payload.mass);
+    text += fmt::format("  payload: built-in {:.2f} kg tool\n", mass);
   if (!options.truth.empty()) text += fmt::format("  ground truth: {}\n", options.truth);
   print(text);
+}
+
+void run(SimulateArguments options) {
+  const std::size_t motion = check(options);
+  Payload payload = defaultTool();
+  if (!options.payload.empty())
+    payload = orFail(payloadFromJson(orFail(readJsonFile(options.payload)), options.payload));
+  if (const auto consistency = checkPhysical(payload); !consistency.physical)
+    throw Failed(fmt::format("{}: such a payload cannot exist: {}", options.payload, consistency.reason));
+
+  std::string motionWords, causes;
+  const std::optional<Payload> carried = options.payload.empty() ? std::nullopt : std::optional(payload);
+  const auto make = [&](const SimulateOptions& simulate, const Progress& progress, std::string& said) {
+    if (!options.like.file.empty()) return simulateLike(options.like, simulate, carried, progress, said);
+    return orFail(heft::simulate(RobotModel::panda(), payload, simulate, progress));
+  };
+  Simulated simulated = [&] {
+    ProgressLine line;
+    if (!options.clearance.room.empty())
+      options.simulate.motionSeed =
+          motionClearOf(options.clearance, options.simulate, make, line.progress(), motionWords);
+    return make(options.simulate, line.progress(), causes);
+  }();
+  requireTorques(simulated, options.simulate.rateHz);
+  simulated.recording.meta.note = fmt::format("{}: {}, seed {}, {} Hz", kNote, kMotionWords[motion],
+                                              options.simulate.seed, options.simulate.rateHz);
+  const std::filesystem::path csv = options.output;
+  requireExpendable(csv, simulated.recording.meta, options.force);
+  orFail(writeRecording(simulated.recording, csv));
+  if (!options.truth.empty())
+    writeOutput(options.truth, fileText(truthJson(simulated.truth, options)),
+                {options.force, [](const std::string& old) { return hasSchema(old, "heft.truth/1"); }});
+  tell(options, motion, simulated, payload.mass, motionWords + causes);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ class Watched {
   Progress progress() {
     return {stop_.get_token(), [this](double fraction, std::string_view what) { tell(fraction, what); }};
   }
-  /// Raises what was raised meanwhile.
+  /// Raises any exception that Python raised in the meantime.
   void raise() {
     if (error_) std::rethrow_exception(error_);
   }

@@ -59,6 +59,30 @@ Eigen::Matrix4d massAndCentre(const Fit& fit) {
   return J * fit.covariance.bottomRightCorner<4, 4>() * J.transpose();
 }
 
+/// What the mean of a pose may be off by.
+Vector6d sdOf(const StandingPose& pose, const PoseGuideOptions& options) {
+  Vector6d sd;
+  sd << Vector3d::Constant(options.forceSd), Vector3d::Constant(options.torqueSd);
+  return (sd.cwiseAbs2() + pose.scatter.cwiseAbs2()).cwiseSqrt();
+}
+
+/// To the poses that are used, but that with index `left`. `gravity`: g_B.
+Fit fitWithout(std::size_t left, const std::vector<JudgedPose>& poses, const Vector3d& gravity,
+               const PoseGuideOptions& options) {
+  Normal H = weakly();
+  Unknowns g = Unknowns::Zero();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (i == left || poses[i].light != PoseLight::used) continue;
+    const StandingPose& pose = poses[i].pose;
+    const Vector6d w = sdOf(pose, options).cwiseAbs2().cwiseInverse();
+    const PoseRows A = rowsFor(pose.R_BS.transpose() * gravity);
+    H += A.transpose() * w.asDiagonal() * A;
+    g += A.transpose() * w.asDiagonal() * pose.wrench;
+  }
+  const SymmetricSolver solver(H);
+  return Fit{solver.solve(g), solver.solveAll(Normal::Identity())};
+}
+
 /// Angle between two vectors in degrees.
 double angle(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)) * kDegrees; }
 
@@ -155,65 +179,9 @@ void PoseGuide::judge() {
     p.words = "Used.";
     p.misfit = 0.0;
   }
-  for (auto& p : poses_)
-    if (p.pose.speed > options_.standStill) {
-      p.light = PoseLight::moving;
-      p.words = fmt::format("The tool moved ({:.2f} rad/s): hold it still for {:g} s.", p.pose.speed, options_.hold);
-    }
-  for (std::size_t i = 0; i < poses_.size(); ++i)
-    for (std::size_t j = 0; j < i && poses_[i].light == PoseLight::used; ++j) {
-      if (poses_[j].light != PoseLight::used) continue;
-      const double apart = angle(gravityIn(poses_[i].pose), gravityIn(poses_[j].pose));
-      if (apart >= options_.closest) continue;
-      poses_[i].light = PoseLight::tooClose;
-      poses_[i].words =
-          fmt::format("Too similar to pose {} ({:.0f} degrees apart): tilt the tool further.", j + 1, apart);
-    }
-
-  const auto sdOf = [this](const StandingPose& pose) -> Vector6d {
-    Vector6d sd;
-    sd << Vector3d::Constant(options_.forceSd), Vector3d::Constant(options_.torqueSd);
-    return (sd.cwiseAbs2() + pose.scatter.cwiseAbs2()).cwiseSqrt();
-  };
-  const auto fitWithout = [&](std::size_t left) {
-    Normal H = weakly();
-    Unknowns g = Unknowns::Zero();
-    for (std::size_t i = 0; i < poses_.size(); ++i) {
-      if (i == left || poses_[i].light != PoseLight::used) continue;
-      const Vector6d w = sdOf(poses_[i].pose).cwiseAbs2().cwiseInverse();
-      const PoseRows A = rowsFor(gravityIn(poses_[i].pose));
-      H += A.transpose() * w.asDiagonal() * A;
-      g += A.transpose() * w.asDiagonal() * poses_[i].pose.wrench;
-    }
-    const SymmetricSolver solver(H);
-    return Fit{solver.solve(g), solver.solveAll(Normal::Identity())};
-  };
-  const std::size_t nobody = poses_.size();
-  // One touched pose after the other: the one whose removal lets the rest fit best, if the others contradict it.
-  for (;;) {
-    if (static_cast<std::size_t>(usedCount()) < kJudgeable) break;
-    std::size_t worst = nobody;
-    double most = 1.0;
-    for (std::size_t i = 0; i < poses_.size(); ++i) {
-      if (poses_[i].light != PoseLight::used) continue;
-      const Fit rest = fitWithout(i);
-      const PoseRows A = rowsFor(gravityIn(poses_[i].pose));
-      const Vector6d r = poses_[i].pose.wrench - A * rest.x;
-      const Vector6d sd =
-          ((A * rest.covariance * A.transpose()).diagonal() + sdOf(poses_[i].pose).cwiseAbs2()).cwiseSqrt();
-      Vector6d least;
-      least << Vector3d::Constant(kContactForce), Vector3d::Constant(kContactTorque);
-      const double score = r.cwiseAbs().cwiseQuotient((kContactSds * sd).cwiseMax(least)).maxCoeff();
-      if (score > most) {
-        most = score;
-        worst = i;
-      }
-    }
-    if (worst == nobody) break;
-    poses_[worst].light = PoseLight::contact;
-  }
-
-  const Fit fit = fitWithout(nobody);
+  lightByStanding();
+  lightTouched();
+  const Fit fit = fitWithout(poses_.size(), poses_, gravity_, options_);
   for (auto& p : poses_) {
     p.misfit = (p.pose.wrench - rowsFor(gravityIn(p.pose)) * fit.x).head<3>().norm();
     if (p.light == PoseLight::contact)
@@ -228,7 +196,54 @@ void PoseGuide::judge() {
   const Eigen::Vector4d sd = massAndCentre(fit).diagonal().cwiseMax(0.0).cwiseSqrt();
   result_.massStd = sd(0);
   result_.comStd = sd.tail<3>();
+  judgeSpread();
+}
 
+void PoseGuide::lightByStanding() {
+  for (auto& p : poses_)
+    if (p.pose.speed > options_.standStill) {
+      p.light = PoseLight::moving;
+      p.words = fmt::format("The tool moved ({:.2f} rad/s): hold it still for {:g} s.", p.pose.speed, options_.hold);
+    }
+  for (std::size_t i = 0; i < poses_.size(); ++i)
+    for (std::size_t j = 0; j < i && poses_[i].light == PoseLight::used; ++j) {
+      if (poses_[j].light != PoseLight::used) continue;
+      const double apart = angle(gravityIn(poses_[i].pose), gravityIn(poses_[j].pose));
+      if (apart >= options_.closest) continue;
+      poses_[i].light = PoseLight::tooClose;
+      poses_[i].words =
+          fmt::format("Too similar to pose {} ({:.0f} degrees apart): tilt the tool further.", j + 1, apart);
+    }
+}
+
+// One touched pose after the other: the one whose removal lets the rest fit best, if the others contradict it.
+void PoseGuide::lightTouched() {
+  const std::size_t nobody = poses_.size();
+  for (;;) {
+    if (static_cast<std::size_t>(usedCount()) < kJudgeable) break;
+    std::size_t worst = nobody;
+    double most = 1.0;
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      if (poses_[i].light != PoseLight::used) continue;
+      const Fit rest = fitWithout(i, poses_, gravity_, options_);
+      const PoseRows A = rowsFor(gravityIn(poses_[i].pose));
+      const Vector6d r = poses_[i].pose.wrench - A * rest.x;
+      const Vector6d sd =
+          ((A * rest.covariance * A.transpose()).diagonal() + sdOf(poses_[i].pose, options_).cwiseAbs2()).cwiseSqrt();
+      Vector6d least;
+      least << Vector3d::Constant(kContactForce), Vector3d::Constant(kContactTorque);
+      const double score = r.cwiseAbs().cwiseQuotient((kContactSds * sd).cwiseMax(least)).maxCoeff();
+      if (score > most) {
+        most = score;
+        worst = i;
+      }
+    }
+    if (worst == nobody) break;
+    poses_[worst].light = PoseLight::contact;
+  }
+}
+
+void PoseGuide::judgeSpread() {
   // With the bias unknown only differences between gravity's directions tell something: their spread about the mean.
   Vector3d mean = Vector3d::Zero();
   Matrix3d spread = Matrix3d::Zero();
@@ -241,7 +256,7 @@ void PoseGuide::judge() {
     spread += d * d.transpose() / std::max(1, used);
   }
   const Vector3d values = symmetricEigen(spread).values;
-  result_.known = used >= 4 && values(1) > kPoorSpread && fit.x(6) > 0.0 && result_.massStd < 0.3 * fit.x(6);
+  result_.known = used >= 4 && values(1) > kPoorSpread && result_.mass > 0.0 && result_.massStd < 0.3 * result_.mass;
   if (used < 2 || values(2) < kPoorSpread) {
     result_.spreadWords = "All poses have the same orientation. Tilt the tool by at least 30°.";
   } else if (values(1) < kPoorSpread) {

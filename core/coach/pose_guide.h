@@ -77,6 +77,11 @@ class PoseGuide {
   Matrix3d orientationAt(const VectorXd& q) const;
   Vector3d gravityIn(const StandingPose& pose) const { return pose.R_BS.transpose() * gravity_; }
   void judge();
+  /// Those that moved or stand as another one does.
+  void lightByStanding();
+  void lightTouched();
+  /// How far the tilts of those that are used go apart; needs the mass.
+  void judgeSpread();
 
   std::optional<GuidedTool> tool_;
   Vector3d gravity_;

@@ -85,15 +85,15 @@ Result<CollisionBody> solid(std::string name, int link, const Eigen::Matrix3Xd& 
 Result<CollisionBody> bodyOf(const Obstacle& obstacle) {
   if (const auto* plane = std::get_if<RoomPlane>(&obstacle.body)) {
     CollisionBody body;
-    body.name = obstacle.name;
+    body.name = titleOf(obstacle);
     body.plane = *plane;
     return body;
   }
   if (const auto* box = std::get_if<RoomBox>(&obstacle.body))
-    return solid(obstacle.name, kWorld, box->X_BO * boxCorners(box->size));
+    return solid(titleOf(obstacle), kWorld, box->X_BO * boxCorners(box->size));
   const auto& mesh = std::get<RoomMesh>(obstacle.body);
   CollisionBody body;
-  body.name = obstacle.name;
+  body.name = titleOf(obstacle);
   std::vector<std::array<int, 3>> triangles;
   std::vector<Vector3d> points;
   for (const auto& part : mesh.mesh->parts) {
@@ -233,7 +233,7 @@ struct Clearance::Impl {
 
   /// Joints between the two bodies, and how far each reaches.
   VectorXd reachOf(const CollisionBody& a, const CollisionBody& b) const {
-    const VectorXd ofA = jointReach(*robot, a.link, a.vertices);
+    VectorXd ofA = jointReach(*robot, a.link, a.vertices);
     if (b.link == kWorld) return ofA;
     const VectorXd ofB = jointReach(*robot, b.link, b.vertices);
     const std::vector<bool> both = sharedJoints(*robot, a.link, b.link);

@@ -1,9 +1,12 @@
 #include "core/collision/room.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "core/base/json_file.h"
 #include "core/base/say.h"
@@ -105,6 +108,21 @@ Result<Obstacle> readObstacle(const json& object, const std::string& where, cons
 json listOf(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace
+
+std::string titleOf(const Obstacle& obstacle) {
+  constexpr std::array kinds{std::pair<std::string_view, const char*>{"table", toSay("table")},
+                             std::pair<std::string_view, const char*>{"wall", toSay("wall")},
+                             std::pair<std::string_view, const char*>{"ceiling", toSay("ceiling")}};
+  const std::string_view name = obstacle.name;
+  for (const auto& [kind, said] : kinds) {
+    if (!name.starts_with(kind)) continue;
+    const std::string_view number = name.substr(kind.size());
+    const bool numbered = number.size() > 1 && number.front() == ' ' &&
+                          number.find_first_not_of("0123456789", 1) == std::string_view::npos;
+    if (number.empty() || numbered) return heft::say(fmt::runtime(said)) + std::string(number);
+  }
+  return obstacle.name;
+}
 
 Result<Room> roomFromJson(const json& content, const std::string& where, const std::filesystem::path& folder) {
   if (!content.is_object() || content.value("schema", json()) != "heft.room/1" || !content.contains("obstacles") ||

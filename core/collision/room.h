@@ -38,6 +38,9 @@ struct Obstacle {
   std::variant<RoomPlane, RoomBox, RoomMesh> body;
 };
 
+/// Its name as it is said to a person: those that heft room gives ("table 2") in their language, others as they stand.
+std::string titleOf(const Obstacle& obstacle);
+
 struct Room {
   std::vector<Obstacle> obstacles;
   double margin = 0.02;  ///< Nothing of arm and tool comes nearer to anything [m]

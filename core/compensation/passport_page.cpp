@@ -115,7 +115,7 @@ std::string causesPart(const json& passport) {
   std::string out = heading(heft::say("Causes of misfit"));
   if (!passport.value("looked_for_causes", false)) return out + paragraph(heft::say("The reality check was not run."));
   const json causes = passport.value("causes", json::array());
-  if (causes.empty()) out += paragraph(heft::say("None was found."));
+  if (causes.empty()) out += paragraph(heft::say("None were found."));
   for (const json& cause : causes) out += paragraph(causeSentenceOf(cause));
   std::vector<std::string> unseen;
   for (const json& phrase : passport.value("not_seen", json::array())) unseen.push_back(phrase.get<std::string>());
@@ -125,8 +125,8 @@ std::string causesPart(const json& passport) {
 
 std::string verdictOfChange(const json& since) {
   return since.value("mass_and_centre_changed", false) || since.value("inertia_changed", false)
-             ? heft::say("The tool has changed, by more than chance.")
-             : heft::say("Nothing has changed beyond chance.");
+             ? heft::say("The tool has changed: the difference exceeds the measurement uncertainty.")
+             : heft::say("No change beyond the measurement uncertainty.");
 }
 
 std::string changePart(const json& passport, const PageUnits& units) {
@@ -135,7 +135,7 @@ std::string changePart(const json& passport, const PageUnits& units) {
   std::string out = heading(heft::say("Since the passport of {}", textIn(since, "date")));
   out += paragraph(verdictOfChange(since));
   if (since.value("other_mount", false))
-    out += paragraph(heft::say("The sensor’s mount is stated differently, so only the mass is compared."));
+    out += paragraph(heft::say("The sensor mounting differs, so only the mass is compared."));
   std::string rows =
       row({heft::say("Number"), heft::say("Before"), heft::say("Now"), heft::say("Difference"), ""}, true);
   for (const json& each : since["numbers"]) {

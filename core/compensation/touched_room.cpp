@@ -167,6 +167,22 @@ Result<TouchedRoom> touchedRoom(const Recording& recording, const RobotModel* ro
   return out;
 }
 
+Result<TouchedRoom> findTouchedRoom(const Recording& recording, const RobotModel* robot, const nlohmann::json& result,
+                                    const std::string& where, const Shape& tool, const Progress& progress) {
+  const auto settings = compensateOptionsFromJson(result, where);
+  if (!settings) return settings.error();
+  const auto compensated = compensate(recording, robot, *settings, progress);
+  if (!compensated) return compensated.error();
+  auto touched = touchedRoom(recording, robot, *compensated, tool);
+  if (!touched || !touched->planes.empty()) return touched;
+  std::string why = heft::say(
+      "{} contains no contact that defines a plane. Press the tool against each wall or table and hold it for a "
+      "second, with free motion between.",
+      recording.file);
+  for (const Finding& finding : touched->findings) why += " " + finding.text;
+  return Error{why};
+}
+
 Room roomOf(const TouchedRoom& touched, double margin) {
   constexpr double kUpright = 0.8;  // cos 37 degrees
   const auto kindOf = [](const TouchedPlane& p) -> std::string {

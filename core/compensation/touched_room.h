@@ -1,5 +1,6 @@
 #pragma once
 // Walls and tables that were touched by hand: where a tool of known shape presses, a plane begins.
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,11 @@ struct TouchedRoom {
 /// sensor's position is not known, and where the shape cannot be read.
 Result<TouchedRoom> touchedRoom(const Recording& recording, const RobotModel* robot, const Compensated& compensated,
                                 const Shape& tool);
+
+/// From a recording and its payload (`result`: of heft estimate; `where` names it) to what was touched: compensates,
+/// then touchedRoom(). Fails also where no touch gives a plane, and says why.
+Result<TouchedRoom> findTouchedRoom(const Recording& recording, const RobotModel* robot, const nlohmann::json& result,
+                                    const std::string& where, const Shape& tool, const Progress& progress = {});
 
 /// The planes as obstacles: "table" where one faces up, "ceiling", "wall"; numbered where there are several.
 Room roomOf(const TouchedRoom& touched, double margin);

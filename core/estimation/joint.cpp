@@ -170,6 +170,50 @@ std::string gainWords(const InformationGain& gain) {
                    gain.mass, gain.com, gain.inertia);
 }
 
+/// The numbers rest on all that are used, and so does the trust in them.
+void shareTrust(JointReport& out) {
+  EstimateReport& result = out.pieces[out.first].report;
+  for (std::size_t i = 0; i < out.pieces.size(); ++i) {
+    const EstimateReport& own = out.pieces[i].report;
+    if (i == out.first || !out.pieces[i].used || own.trust <= result.trust) continue;
+    if (own.trust == Trust::none) {
+      loseTrust(result, {heft::say("Recording {}:", i + 1) + " " + own.whyNoTrust, own.whatToDo});
+    } else {
+      result.trust = own.trust;
+      result.findings.push_back(
+          {Severity::warning,
+           "low_trust_of_one",
+           heft::say("Recording {} is not reliable, so neither are the numbers from all of them.", i + 1),
+           heft::say("Look at its findings, or leave it out."),
+           {}});
+    }
+  }
+}
+
+/// `components`: of all that are used.
+void sayLeftOut(const std::vector<Prepared>& prepared, const Vector10d& components, JointReport& out) {
+  for (std::size_t i = 0; i < out.pieces.size(); ++i)
+    if (!out.pieces[i].used && !isUnderstood(prepared[i]))
+      out.pieces[out.first].report.findings.push_back(
+          {Severity::warning,
+           "recording_not_understood",
+           heft::say("Recording {} was left out:", i + 1) + " " + out.pieces[i].report.whyNoTrust,
+           out.pieces[i].report.whatToDo,
+           {}});
+    else if (!out.pieces[i].used)
+      out.pieces[out.first].report.findings.push_back(
+          {Severity::warning,
+           "different_tool",
+           heft::say("Recording {} contradicts the others: {:.3f} kg against {:.3f} kg, centre of mass {:.0f} mm "
+                     "apart. It was excluded.",
+                     i + 1, out.pieces[i].alone.mass, components(0),
+                     1e3 * (out.pieces[i].alone.com - Vector3d(components.segment<3>(1))).norm()),
+           out.pieces.size() == 2
+               ? heft::say("With two recordings it is not clear which one has the right tool: check both.")
+               : heft::say("Estimate it separately."),
+           {}});
+}
+
 }  // namespace
 
 Result<JointReport> estimateJointly(std::span<const JointInput> inputs, const EstimateOptions& options,
@@ -241,43 +285,8 @@ Result<JointReport> estimateJointly(std::span<const JointInput> inputs, const Es
   if (!proposal) return proposal.error();
   out.proposal = std::move(*proposal);
   out.proposalText = proposalWords(out.pieces, out.proposal);
-  // The numbers rest on all that are used, and so does the trust in them.
-  EstimateReport& result = out.pieces[out.first].report;
-  for (std::size_t i = 0; i < out.pieces.size(); ++i) {
-    const EstimateReport& own = out.pieces[i].report;
-    if (i == out.first || !out.pieces[i].used || own.trust <= result.trust) continue;
-    if (own.trust == Trust::none) {
-      loseTrust(result, {heft::say("Recording {}:", i + 1) + " " + own.whyNoTrust, own.whatToDo});
-    } else {
-      result.trust = own.trust;
-      result.findings.push_back(
-          {Severity::warning,
-           "low_trust_of_one",
-           heft::say("Recording {} is not reliable, so neither are the numbers from all of them.", i + 1),
-           heft::say("Look at its findings, or leave it out."),
-           {}});
-    }
-  }
-  for (std::size_t i = 0; i < out.pieces.size(); ++i)
-    if (!out.pieces[i].used && !isUnderstood(prepared[i]))
-      out.pieces[out.first].report.findings.push_back(
-          {Severity::warning,
-           "recording_not_understood",
-           heft::say("Recording {} was left out:", i + 1) + " " + out.pieces[i].report.whyNoTrust,
-           out.pieces[i].report.whatToDo,
-           {}});
-    else if (!out.pieces[i].used)
-      out.pieces[out.first].report.findings.push_back(
-          {Severity::warning,
-           "different_tool",
-           heft::say("Recording {} contradicts the others: {:.3f} kg against {:.3f} kg, centre of mass {:.0f} mm "
-                     "apart. It was excluded.",
-                     i + 1, out.pieces[i].alone.mass, all->components(0),
-                     1e3 * (out.pieces[i].alone.com - Vector3d(all->components.segment<3>(1))).norm()),
-           out.pieces.size() == 2
-               ? heft::say("With two recordings it is not clear which one has the right tool: check both.")
-               : heft::say("Estimate it separately."),
-           {}});
+  shareTrust(out);
+  sayLeftOut(prepared, all->components, out);
   return out;
 }
 

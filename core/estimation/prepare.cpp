@@ -375,6 +375,7 @@ int Prepared::foldOf(Eigen::Index block) const {
   return static_cast<int>(std::min<Eigen::Index>(kFolds - 1, before * kFolds / std::max<Eigen::Index>(1, usedBlocks)));
 }
 
+// NOLINTNEXTLINE(readability-function-size): steps over one state, still to be split
 Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                          const Progress& progress, bool checkConventions) {
   progress(0.1, heft::say("Computing the motion"));

@@ -100,7 +100,7 @@ std::vector<WeightedV> importanceSample(const MapCost& cost, const Vector10d& mo
   constexpr double kFewestEffective = 400.0;  // The ends of a 95 % interval are then sure to 7 % of it (one sd)
   const double best = cost(mode);
   std::vector<WeightedV> sample;
-  sample.reserve(2 * kPairs);
+  sample.reserve(std::size_t{2} * kPairs);
   for (std::size_t k = 0; k < draws().size(); ++k)
     for (const double sign : {1.0, -1.0}) {
       const Vector10d& z = draws()[k];
@@ -196,7 +196,7 @@ PayloadInterval intervalsFromV(const Triangle& R, const MapPrior& prior, bool bi
   // Moving a draw to a bound costs a small optimisation: a quarter of them must do.
   const std::size_t stride = bound ? 4 : 1;
   std::vector<WeightedV> drawn = importanceSample(cost, solution.v, L, stride);
-  if (drawn.empty()) drawn = walkedSample(cost, solution.v, L, 2 * kPairs / stride);
+  if (drawn.empty()) drawn = walkedSample(cost, solution.v, L, std::size_t{2} * kPairs / stride);
   struct Draw {
     Vector10d components;
     double weight;

@@ -31,7 +31,7 @@ Matrix3d roundedInertia(const Matrix3d& inertia) {
   const int coarse = decimalsFor(I.cwiseAbs().maxCoeff());
   constexpr int kFiner = 4;
   for (int decimals = coarse; decimals <= coarse + kFiner; decimals += 2) {
-    const Matrix3d rounded = I.unaryExpr([&](double v) { return roundedTo(v, decimals); });
+    Matrix3d rounded = I.unaryExpr([&](double v) { return roundedTo(v, decimals); });
     if (strictlyPhysical(rounded)) return rounded;
   }
   // A plate or a rod on the border of the possible: a few last places more about every axis. Rounding moves the

@@ -81,8 +81,10 @@ void reportSources(const json& identifiability, Findings& findings) {
   constexpr std::array kAxes{"x", "y", "z"};
   std::vector<std::string> fromPrior, unknown;
   const auto sort = [&](const std::string& source, std::string name) {
-    if (source == "prior") fromPrior.push_back(std::move(name));
-    if (source == "none") unknown.push_back(std::move(name));
+    if (source == "prior")
+      fromPrior.push_back(std::move(name));
+    else if (source == "none")
+      unknown.push_back(std::move(name));
   };
   if (const json* mass = member(identifiability, "mass")) sort(sourceAt(mass, {}), heft::say("mass"));
   const json* com = member(identifiability, "com");

@@ -151,6 +151,7 @@ class ArrayStreams {
   }
 
   /// False where the numbers are too many.
+  // NOLINTNEXTLINE(readability-function-size): steps over one state, still to be split
   bool addGroup(const std::string& group, std::size_t rows, const std::vector<std::size_t>& members) {
     // Columns of one table have their time among them.
     std::optional<std::pair<std::size_t, std::size_t>> timeInTable;

@@ -36,7 +36,7 @@ BodyNames urNames() {
 
 BodyNames frankaNames(const std::string& body) {
   BodyNames out{"m_" + body, {"m_" + body}, "link8"};
-  for (int i = 0; i < 3; ++i) out.fields[static_cast<std::size_t>(1 + i)] = fmt::format("f_x_c{}[{}]", body, i);
+  for (std::size_t i = 0; i < 3; ++i) out.fields[1 + i] = fmt::format("f_x_c{}[{}]", body, i);
   constexpr std::array kPlaces{0, 1, 2, 4, 5, 8};  // the matrix is symmetric: rows or columns are one
   for (std::size_t i = 0; i < 6; ++i) out.fields[4 + i] = fmt::format("i_{}[{}]", body, kPlaces[i]);
   return out;

@@ -8,8 +8,7 @@ namespace heft::hdf5 {
 
 // HDF5's functions, which hide the declarations of its header (core/base/library_on_demand.h).
 inline const LibraryOnDemand hdf5Library{HEFT_HDF5_LIBRARY, HEFT_HDF5_PACKAGE};
-#define HEFT_AS_NAMED(name) \
-  inline const FunctionOnDemand<decltype(::name)> name { hdf5Library, #name }
+#define HEFT_AS_NAMED(name) inline const FunctionOnDemand<decltype(::name)> name(hdf5Library, #name)
 #define HEFT_OF_HDF5(name) HEFT_AS_NAMED(name)  // Some names are macros for one of their versions.
 HEFT_OF_HDF5(H5Aclose);
 HEFT_OF_HDF5(H5Aexists);

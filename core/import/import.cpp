@@ -171,6 +171,7 @@ void letMotionDecide(std::vector<ColumnSource>& columns, const std::vector<std::
        {opened.streams[columns[0].stream].file, 0, 0}});
 }
 
+// NOLINTNEXTLINE(readability-function-size): steps over one state, still to be split
 Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOptions& options,
                               const Progress& progress) {
   const auto kind = recognise(path);

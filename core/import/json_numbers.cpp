@@ -111,7 +111,9 @@ bool isTooDeep(std::string_view text) {
 /// Arrays of an object, also of objects in it, by their paths.
 void collectArrays(const json& object, const std::string& path, std::map<std::string, const json*>& out) {
   for (const auto& [key, value] : object.items()) {
-    const std::string inner = path.empty() ? key : path + "." + key;
+    std::string inner = path;
+    if (!inner.empty()) inner += '.';
+    inner += key;
     if (value.is_array()) out[inner] = &value;
     if (value.is_object()) collectArrays(value, inner, out);
   }

@@ -19,8 +19,7 @@ namespace {
 
 // matio's functions, which hide the declarations of its header (core/base/library_on_demand.h).
 const LibraryOnDemand matioLibrary{HEFT_MATIO_LIBRARY, HEFT_MATIO_PACKAGE};
-#define HEFT_OF_MATIO(name) \
-  const FunctionOnDemand<decltype(::name)> name { matioLibrary, #name }
+#define HEFT_OF_MATIO(name) const FunctionOnDemand<decltype(::name)> name(matioLibrary, #name)
 HEFT_OF_MATIO(Mat_Close);
 HEFT_OF_MATIO(Mat_LogInitFunc);
 HEFT_OF_MATIO(Mat_Open);

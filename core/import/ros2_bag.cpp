@@ -305,7 +305,7 @@ Result<bool> scanRos2Folder(const std::filesystem::path& folder, MessageListener
     const auto bytes = ByteFile::open(file);
     if (!bytes) return bytes.error();
     const bool mcap = bytes->read(0, 5) == "\x89MCAP";
-    const auto done =
+    auto done =
         mcap ? scanMcap(file, renumbering, findings, progress) : scanSqliteBag(file, renumbering, findings, progress);
     if (!done) return done;
     if (renumbering.stopped()) break;

@@ -76,6 +76,7 @@ class Table {
     return out;
   }
 
+  // NOLINTNEXTLINE(readability-function-size): steps over one state, still to be split
   Result<bool> toStreams(StreamSet& set, const TimeChoice& choice) const {
     set.timeCandidates = names;
     const std::size_t rows = columns.empty() ? 0 : columns[0].size();

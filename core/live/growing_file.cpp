@@ -138,7 +138,10 @@ std::string GrowingFile::widen(const std::string& names) {
   std::string line, text;
   bool first = true, more = static_cast<bool>(std::getline(old, line));
   while (more) {
-    text += line + (first ? "," + names : cells) + '\n';
+    text += line;
+    if (first) text += ',';
+    text += first ? names : cells;
+    text += '\n';
     first = false;
     more = static_cast<bool>(std::getline(old, line));
     if (more && text.size() < kChunk) continue;

@@ -35,8 +35,7 @@ namespace fs = std::filesystem;
 
 // assimp's functions, which hide the declarations of its headers.
 const LibraryOnDemand assimp{HEFT_ASSIMP_LIBRARY, HEFT_ASSIMP_PACKAGE};
-#define HEFT_OF_ASSIMP(name) \
-  const FunctionOnDemand<decltype(::name)> name { assimp, #name }
+#define HEFT_OF_ASSIMP(name) const FunctionOnDemand<decltype(::name)> name(assimp, #name)
 HEFT_OF_ASSIMP(aiCreatePropertyStore);
 HEFT_OF_ASSIMP(aiGetErrorString);
 HEFT_OF_ASSIMP(aiGetMaterialColor);

@@ -332,6 +332,52 @@ void append(Surface& surface, const Surface& other) {
   for (const auto& t : other.triangles) surface.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
 }
 
+namespace {
+
+/// Turns pieces that are inside out, and puts cavities into the piece around them.
+std::vector<Surface> nested(std::vector<Part> parts, SurfaceReport& report) {
+  double total = 0.0;
+  for (const Part& part : parts) total += part.volume;
+  const auto turnPart = [](Part& part) {
+    for (auto& t : part.surface.triangles) turn(t);
+    part.volume = -part.volume;
+  };
+  const bool insideOut = total < 0.0;
+  const double sliver = 1e-6 * std::abs(total);  // smaller volumes have no sign worth minding
+  if (insideOut)
+    for (Part& part : parts) turnPart(part);
+  std::vector<std::size_t> outward, inward;
+  for (std::size_t k = 0; k < parts.size(); ++k) (parts[k].volume >= -sliver ? outward : inward).push_back(k);
+  std::vector<std::vector<std::size_t>> cavities(parts.size());
+  if (insideOut) report.turnedBodies = static_cast<long>(parts.size());
+  for (const std::size_t k : inward) {
+    const auto& t = parts[k].surface.triangles.front();
+    Vector3d p = Vector3d::Zero();  // on the piece
+    for (const int v : t) p += parts[k].surface.vertices[static_cast<std::size_t>(v)] / 3.0;
+    std::optional<std::size_t> around;
+    for (const std::size_t other : outward)
+      if (parts[other].volume > -parts[k].volume && (!around || parts[other].volume < parts[*around].volume) &&
+          winding(parts[other].surface, p) > 0.5)
+        around = other;
+    if (around) {
+      cavities[*around].push_back(k);
+      ++report.cavities;
+    } else {
+      turnPart(parts[k]);
+      report.turnedBodies += insideOut ? -1 : 1;
+      outward.push_back(k);
+    }
+  }
+  std::vector<Surface> pieces;
+  for (const std::size_t k : outward) {
+    for (const std::size_t hollow : cavities[k]) append(parts[k].surface, parts[hollow].surface);
+    pieces.push_back(std::move(parts[k].surface));
+  }
+  return pieces;
+}
+
+}  // namespace
+
 ClosedPieces closePieces(Surface surface) {
   // More than this share of covers, and a piece is rather a patch of something larger.
   constexpr double kPatch = 0.1;
@@ -377,49 +423,13 @@ ClosedPieces closePieces(Surface surface) {
     for (int& l : label) l = renamed[static_cast<std::size_t>(l)];
     parts = split(surface, label, next);
   }
-  double total = 0.0;
   for (Part& part : parts) {
     if (patches >= 0) close(part);
     report.holeArea += part.holeArea;
     part.volume = volumeMoments(part.surface)(3, 3);
-    total += part.volume;
   }
   report.bodies = static_cast<long>(parts.size());
-
-  const auto turnPart = [](Part& part) {
-    for (auto& t : part.surface.triangles) turn(t);
-    part.volume = -part.volume;
-  };
-  const bool insideOut = total < 0.0;
-  const double sliver = 1e-6 * std::abs(total);  // smaller volumes have no sign worth minding
-  if (insideOut)
-    for (Part& part : parts) turnPart(part);
-  std::vector<std::size_t> outward, inward;
-  for (std::size_t k = 0; k < parts.size(); ++k) (parts[k].volume >= -sliver ? outward : inward).push_back(k);
-  std::vector<std::vector<std::size_t>> cavities(parts.size());
-  if (insideOut) report.turnedBodies = static_cast<long>(parts.size());
-  for (const std::size_t k : inward) {
-    const auto& t = parts[k].surface.triangles.front();
-    Vector3d p = Vector3d::Zero();  // on the piece
-    for (const int v : t) p += parts[k].surface.vertices[static_cast<std::size_t>(v)] / 3.0;
-    std::optional<std::size_t> around;
-    for (const std::size_t other : outward)
-      if (parts[other].volume > -parts[k].volume && (!around || parts[other].volume < parts[*around].volume) &&
-          winding(parts[other].surface, p) > 0.5)
-        around = other;
-    if (around) {
-      cavities[*around].push_back(k);
-      ++report.cavities;
-    } else {
-      turnPart(parts[k]);
-      report.turnedBodies += insideOut ? -1 : 1;
-      outward.push_back(k);
-    }
-  }
-  for (const std::size_t k : outward) {
-    for (const std::size_t hollow : cavities[k]) append(parts[k].surface, parts[hollow].surface);
-    result.pieces.push_back(std::move(parts[k].surface));
-  }
+  result.pieces = nested(std::move(parts), report);
   return result;
 }
 

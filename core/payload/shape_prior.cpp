@@ -225,6 +225,22 @@ void ShapePrior::observe(const VectorXd& q, VectorXd& residuals, MatrixXd* jacob
   }
 }
 
+namespace {
+
+/// d phi / d v at v = 0, with the upper factor that v multiplies.
+Matrix10d directionsAt(const Vector10d& phi, Matrix4d& U0) {
+  U0 = upperFactor(pseudoInertia(phi));
+  Matrix10d G;
+  for (int k = 0; k < 10; ++k) {
+    const auto [r, c] = kEntries[k];
+    const Matrix4d half = U0.col(r) * U0.col(c).transpose();
+    G.col(k) = parametersFromPseudoInertia(half + half.transpose());
+  }
+  return G;
+}
+
+}  // namespace
+
 ShapeFit ShapePrior::fit(const MatrixXd& A, const VectorXd& y) const {
   if (A.cols() != 10 || A.rows() != y.size() || !A.allFinite() || !y.allFinite())
     throw std::invalid_argument("ShapePrior::fit: A must be m x 10, y of length m, both finite");
@@ -287,20 +303,18 @@ ShapeFit ShapePrior::fit(const MatrixXd& A, const VectorXd& y) const {
   result.priorCovariance = product(J, priorOnly.solveAll(J.transpose()));
   result.conflict = q.squaredNorm() + seen.squaredNorm();
 
-  result.U0 = upperFactor(pseudoInertia(phi));
-  Matrix10d G;  // d phi / d v at v = 0
-  for (int k = 0; k < 10; ++k) {
-    const auto [r, c] = kEntries[k];
-    const Matrix4d half = result.U0.col(r) * result.U0.col(c).transpose();
-    G.col(k) = parametersFromPseudoInertia(half + half.transpose());
-  }
+  const Matrix10d G = directionsAt(phi, result.U0);
   const MatrixXd toV = product(inverse(G), J);
   result.information =
       SymmetricSolver(product(toV, priorOnly.solveAll(toV.transpose()))).solveAll(Matrix10d::Identity());
   result.information = 0.5 * (result.information + result.information.transpose()).eval();
   // The prior's own Gauss-Newton step from here leads to its mean.
   result.mean = -toV * priorOnly.solve(q + dSeen.transpose() * seen);
+  weighBodies(q, posterior, result);
+  return result;
+}
 
+void ShapePrior::weighBodies(const VectorXd& q, const SymmetricSolver& posterior, ShapeFit& result) const {
   const VectorXd mass = masses(q);
   for (const Body& body : bodies_) {
     const VectorXd own = mass.segment(body.first, body.count);
@@ -309,7 +323,6 @@ ShapeFit ShapePrior::fit(const MatrixXd& A, const VectorXd& y) const {
     result.bodyMass.push_back(own.sum());
     result.bodyMassStd.push_back(std::sqrt(std::max(0.0, slope.dot(posterior.solve(slope)))));
   }
-  return result;
 }
 
 }  // namespace heft

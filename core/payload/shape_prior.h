@@ -32,6 +32,8 @@ struct ShapeTrust {
 ShapeTrust trustIn(Certainty certainty, BodyKind kind, int parts);
 
 /// The most probable payload for some data, and the prior seen from there.
+class SymmetricSolver;
+
 struct ShapeFit {
   Vector10d phi = Vector10d::Zero();
   Matrix10d covariance = Matrix10d::Zero();       ///< Of phi, prior and data together (Laplace).
@@ -83,6 +85,8 @@ class ShapePrior {
 
   VectorXd masses(const VectorXd& q) const;  ///< Of all points [kg].
   void observe(const VectorXd& q, VectorXd& residuals, MatrixXd* jacobian) const;
+  /// Mass of each body and its standard deviation.
+  void weighBodies(const VectorXd& q, const SymmetricSolver& posterior, ShapeFit& result) const;
 
   std::vector<Body> bodies_;
   std::vector<MassObservation> observations_;

@@ -30,15 +30,8 @@ std::string ranked(std::vector<std::pair<std::string, double>> causes) {
   return text;
 }
 
-}  // namespace
-
-std::vector<std::string> explain(const Reproduction& all) {
-  std::vector<std::string> sentences;
-  const ErrorTable& predefined = all.errors.front();
-  const CauseRow& noise = all.causes.front();
-  const CauseRow& together = all.causes.back();
-  const std::vector<CauseRow> single(all.causes.begin() + 1, all.causes.end() - 1);
-
+/// On data without noise.
+void explainValidation(const ErrorTable& predefined, std::vector<std::string>& sentences) {
   const auto validation = [&](Quantity quantity) {
     return find(predefined, ParameterSet::full, quantity, DataKind::validation);
   };
@@ -60,18 +53,13 @@ std::vector<std::string> explain(const Reproduction& all) {
           "it saw there is not explained by this motion and smoothing, so look at the solvers' scaling and stopping.",
           percent(*inertia->paperCeres), percent(*inertia->paperEigenLm), paper / ours));
   }
+}
 
-  for (const Quantity quantity : {Quantity::mass, Quantity::com, Quantity::inertia}) {
-    std::vector<std::pair<std::string, double>> causes;
-    for (const auto& cause : single) causes.emplace_back(cause.cause, cause.paper.of(quantity));
-    sentences.push_back(fmt::format(
-        "Measured data as the paper did, error of the {}: noise alone makes {}; with one cause on top: {}; all "
-        "together "
-        "{}.",
-        noun(quantity), percent(noise.paper.of(quantity)), ranked(causes), percent(together.paper.of(quantity))));
-  }
+/// What the sensor's bias does to mass and inertia.
+void explainBias(const Reproduction& all, std::vector<std::string>& sentences) {
+  const CauseRow& noise = all.causes.front();
   // Without noise the error that a bias makes is proportional to it, so the paper's error tells the paper's bias.
-  const ErrorRow* const full = find(predefined, ParameterSet::full, Quantity::mass, DataKind::measured);
+  const ErrorRow* const full = find(all.errors.front(), ParameterSet::full, Quantity::mass, DataKind::measured);
   const auto bias = std::ranges::find(all.causes, "bias", &CauseRow::cause);
   if (full && full->paperCeres && full->paperEigenLm && bias != all.causes.end() &&
       bias->paper.mass > 10.0 * noise.paper.mass) {
@@ -91,19 +79,9 @@ std::vector<std::string> explain(const Reproduction& all) {
         all.inertialTorque, all.torqueBias,
         all.torqueBias > all.inertialTorque ? fmt::format("{:.2g} times as much", all.torqueBias / all.inertialTorque)
                                             : fmt::format("{} of it", percent(all.torqueBias / all.inertialTorque))));
+}
 
-  for (const auto& cause : single)
-    sentences.push_back(fmt::format(
-        "Heft's default under {} alone: mass {}, centre {}, inertia {} (as the paper did: {}, {}, {}; Heft with noise "
-        "alone: {}, {}, {}).",
-        cause.cause, percent(cause.heft.mass), percent(cause.heft.com), percent(cause.heft.inertia),
-        percent(cause.paper.mass), percent(cause.paper.com), percent(cause.paper.inertia), percent(noise.heft.mass),
-        percent(noise.heft.com), percent(noise.heft.inertia)));
-  std::vector<std::pair<std::string, double>> left;
-  for (const auto& cause : single) left.emplace_back(cause.cause, cause.heft.inertia);
-  sentences.push_back(fmt::format("What is left in Heft's inertia with everything together is {}; alone: {}.",
-                                  percent(together.heft.inertia), ranked(left)));
-
+void explainRuntimes(const Reproduction& all, std::vector<std::string>& sentences) {
   const RuntimeRow* longest = nullptr;
   std::size_t set = 0;
   for (const auto& row : all.runtimes)
@@ -118,6 +96,41 @@ std::vector<std::string> explain(const Reproduction& all) {
         "the "
         "paper took {:.3g} h for a tenth of the samples.",
         all.rows, toString(longest->method), 1e3 * longest->solve[set], longest->paper[set]->seconds / 3600.0));
+}
+
+}  // namespace
+
+std::vector<std::string> explain(const Reproduction& all) {
+  std::vector<std::string> sentences;
+  const ErrorTable& predefined = all.errors.front();
+  const CauseRow& noise = all.causes.front();
+  const CauseRow& together = all.causes.back();
+  const std::vector<CauseRow> single(all.causes.begin() + 1, all.causes.end() - 1);
+
+  explainValidation(predefined, sentences);
+  for (const Quantity quantity : {Quantity::mass, Quantity::com, Quantity::inertia}) {
+    std::vector<std::pair<std::string, double>> causes;
+    for (const auto& cause : single) causes.emplace_back(cause.cause, cause.paper.of(quantity));
+    sentences.push_back(fmt::format(
+        "Measured data as the paper did, error of the {}: noise alone makes {}; with one cause on top: {}; all "
+        "together "
+        "{}.",
+        noun(quantity), percent(noise.paper.of(quantity)), ranked(causes), percent(together.paper.of(quantity))));
+  }
+  explainBias(all, sentences);
+  for (const auto& cause : single)
+    sentences.push_back(fmt::format(
+        "Heft's default under {} alone: mass {}, centre {}, inertia {} (as the paper did: {}, {}, {}; Heft with noise "
+        "alone: {}, {}, {}).",
+        cause.cause, percent(cause.heft.mass), percent(cause.heft.com), percent(cause.heft.inertia),
+        percent(cause.paper.mass), percent(cause.paper.com), percent(cause.paper.inertia), percent(noise.heft.mass),
+        percent(noise.heft.com), percent(noise.heft.inertia)));
+  std::vector<std::pair<std::string, double>> left;
+  for (const auto& cause : single) left.emplace_back(cause.cause, cause.heft.inertia);
+  sentences.push_back(fmt::format("What is left in Heft's inertia with everything together is {}; alone: {}.",
+                                  percent(together.heft.inertia), ranked(left)));
+
+  explainRuntimes(all, sentences);
   return sentences;
 }
 

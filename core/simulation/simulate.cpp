@@ -168,6 +168,48 @@ Eigen::Matrix<double, 1, 6> rowAt(const SampledWrench& series, double row) {
          (u + 1.0) * u * (u - 1.0) / 6.0 * series.row(i + 2);
 }
 
+/// Samples from the finely integrated `gauges`, as late as the effects have it.
+void takeLate(const Effects& effects, const SampledWrench& gauges, Eigen::Index margin, Eigen::Index fine,
+              double fineRate, Simulated& out) {
+  const Recording& recording = out.recording;
+  const Eigen::Index rows = recording.time.size();
+  out.signal.resize(rows, 6);
+  for (Eigen::Index k = 0; k < rows; ++k) {
+    double age = 0.0;
+    for (const auto& effect : effects) age += effect->age(recording.time(k));
+    const Eigen::Index fresh = margin + k * fine;
+    if (age == 0.0) {
+      out.signal.row(k) = gauges.row(fresh);
+    } else {
+      out.signal.row(k) = rowAt(gauges, static_cast<double>(fresh) - age * fineRate);
+    }
+  }
+}
+
+/// What sensor and log make of the signal; the bias.
+Vector6d measure(const SimulateOptions& options, const Effects& effects, Simulated& out) {
+  Recording& recording = out.recording;
+  const Eigen::Index rows = recording.time.size();
+  const Vector6d bias = drawBias(options.sensor, options.seed);
+  SampledWrench noise = drawNoise(options.sensor, options.seed, options.rateHz, rows);
+  for (const auto& effect : effects) effect->filter(noise, options.rateHz);
+  recording.wrench = (out.signal.rowwise() + bias.transpose()) + noise;
+  for (const auto& effect : effects) effect->shiftZero(recording.time, recording.wrench);
+  for (const auto& effect : effects) effect->convert(recording.wrench);
+  digitise(options.sensor, recording.wrench);
+  recording.q = out.q;
+  recording.dq = out.dq;
+  measureJoints(options, recording.q, recording.dq);
+
+  recording.meta.robot = options.robotReference;
+  recording.meta.kind = RecordingKind::motion;
+  recording.meta.mount = options.mount;
+  recording.meta.sensorModel = options.sensor.name;
+  recording.meta.wrenchSign = WrenchSign::sensorOnPayload;
+  recording.meta.gravity = options.gravity;
+  return bias;
+}
+
 nlohmann::json toJson(const Vector3d& v) { return nlohmann::json::array({v.x(), v.y(), v.z()}); }
 
 }  // namespace
@@ -261,36 +303,8 @@ Result<Simulated> simulateWith(const RobotModel& robot, const Payload& payload, 
     out.contactWrench.row(k) = world.contactWrench();
   }
   for (const auto& effect : effects) effect->filter(gauges, fineRate);
-  out.signal.resize(rows, 6);
-  for (Eigen::Index k = 0; k < rows; ++k) {
-    double age = 0.0;
-    for (const auto& effect : effects) age += effect->age(recording.time(k));
-    const Eigen::Index fresh = margin + k * fine;
-    if (age == 0.0) {
-      out.signal.row(k) = gauges.row(fresh);
-    } else {
-      out.signal.row(k) = rowAt(gauges, static_cast<double>(fresh) - age * fineRate);
-    }
-  }
-
-  const Vector6d bias = drawBias(options.sensor, options.seed);
-  SampledWrench noise = drawNoise(options.sensor, options.seed, options.rateHz, rows);
-  for (const auto& effect : effects) effect->filter(noise, options.rateHz);
-  recording.wrench = (out.signal.rowwise() + bias.transpose()) + noise;
-  for (const auto& effect : effects) effect->shiftZero(recording.time, recording.wrench);
-  for (const auto& effect : effects) effect->convert(recording.wrench);
-  digitise(options.sensor, recording.wrench);
-  recording.q = out.q;
-  recording.dq = out.dq;
-  measureJoints(options, recording.q, recording.dq);
-
-  recording.meta.robot = options.robotReference;
-  recording.meta.kind = RecordingKind::motion;
-  recording.meta.mount = options.mount;
-  recording.meta.sensorModel = options.sensor.name;
-  recording.meta.wrenchSign = WrenchSign::sensorOnPayload;
-  recording.meta.gravity = options.gravity;
-
+  takeLate(effects, gauges, margin, fine, fineRate, out);
+  const Vector6d bias = measure(options, effects, out);
   for (const auto& effect : effects) effect->log(recording);
 
   out.truth.payload = payload;

@@ -1723,6 +1723,49 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
 </context>
 <context>
+    <name>RealityFiles</name>
+    <message>
+        <source>There is no reality check yet to correct a setup file from.</source>
+        <translation>Es gibt noch keine Realitätsprüfung, aus der sich eine Aufbaudatei berichtigen ließe.</translation>
+    </message>
+    <message>
+        <source>The reality check proposes no change of the setup file.</source>
+        <translation>Die Realitätsprüfung schlägt keine Änderung der Aufbaudatei vor.</translation>
+    </message>
+    <message>
+        <source>%1 already exists and was not overwritten.</source>
+        <translation>%1 gibt es schon und wurde nicht ersetzt.</translation>
+    </message>
+    <message>
+        <source>Save the corrected setup file</source>
+        <translation>Die berichtigte Aufbaudatei speichern</translation>
+    </message>
+    <message>
+        <source>Setup files (*.meta.json)</source>
+        <translation>Aufbaudateien (*.meta.json)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>A report needs an open recording.</source>
+        <translation>Ein Bericht braucht eine offene Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Open a recording first.</source>
+        <translation>Öffnen Sie zuerst eine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf);;Web page (*.html)</source>
+        <translation>PDF (*.pdf);;Webseite (*.html)</translation>
+    </message>
+</context>
+<context>
     <name>RealityPage</name>
     <message>
         <source>Differences between simulation and measurement:</source>
@@ -2509,10 +2552,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Bis [s]</translation>
     </message>
     <message>
-        <source>Mark</source>
-        <translation>Marke</translation>
-    </message>
-    <message>
         <source> (applied)</source>
         <translation> (angewandt)</translation>
     </message>
@@ -2529,24 +2568,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Es bleibt etwas, das mit %1 zusammenhängt; keine bekannte Ursache erklärt es.</translation>
     </message>
     <message>
-        <source>Torque difference by frequency [N m/√Hz]</source>
-        <translation>Drehmomentabweichung nach Frequenz [N m/√Hz]</translation>
-    </message>
-    <message>
-        <source>Force difference by frequency [N/√Hz]</source>
-        <translation>Kraftabweichung nach Frequenz [N/√Hz]</translation>
-    </message>
-    <message>
         <source>Frequency [Hz]</source>
         <translation>Frequenz [Hz]</translation>
-    </message>
-    <message>
-        <source>with the causes</source>
-        <translation>mit den Ursachen</translation>
-    </message>
-    <message>
-        <source>without</source>
-        <translation>ohne</translation>
     </message>
     <message>
         <source>Heft report: %1</source>
@@ -2557,28 +2580,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Heft Studio %1, %2</translation>
     </message>
     <message>
-        <source>Nothing is open.</source>
-        <translation>Nichts ist offen.</translation>
-    </message>
-    <message>
-        <source>The arm as it moved</source>
-        <translation>Der Arm, wie er sich bewegte</translation>
-    </message>
-    <message>
-        <source>%1: a report ends in .html or .pdf.</source>
-        <translation>%1: Ein Bericht endet auf .html oder .pdf.</translation>
-    </message>
-    <message>
         <source>%1 already exists and was not overwritten.</source>
         <translation>%1 gibt es schon und wurde nicht ersetzt.</translation>
     </message>
     <message>
         <source>Heft report</source>
         <translation>Heft-Bericht</translation>
-    </message>
-    <message>
-        <source>What today’s entry costs</source>
-        <translation>Was der heutige Eintrag kostet</translation>
     </message>
     <message>
         <source>Proof</source>
@@ -2609,10 +2616,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Grund</translation>
     </message>
     <message>
-        <source>Marked segments</source>
-        <translation>Markierte Abschnitte</translation>
-    </message>
-    <message>
         <source>Held-out error %1 → %2; noise floor %3.</source>
         <translation>Ungesehener Fehler %1 → %2; Rauschen %3.</translation>
     </message>
@@ -2625,10 +2628,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Es bleibt nur das Rauschen des Sensors: %1.</translation>
     </message>
     <message>
-        <source>With all causes applied the result changes: %1, %2 times its stated uncertainty.</source>
-        <translation>Mit allen Ursachen ändert sich das Ergebnis: %1, das %2-Fache der angegebenen Unsicherheit.</translation>
-    </message>
-    <message>
         <source>Not detectable in this recording: %1.</source>
         <translation>In dieser Aufnahme nicht erkennbar: %1.</translation>
     </message>
@@ -2637,8 +2636,52 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Mit allen Ursachen bleiben Masse und Schwerpunkt gleich.</translation>
     </message>
     <message>
-        <source>It was made with other numbers than these.</source>
-        <translation>Er gilt anderen Zahlen als diesen.</translation>
+        <source>What the controller’s current entry costs</source>
+        <translation>Was der aktuelle Eintrag in der Steuerung kostet</translation>
+    </message>
+    <message>
+        <source>It was made with different numbers.</source>
+        <translation>Er wurde mit anderen Zahlen geführt.</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>Labelled segments</source>
+        <translation>Markierte Abschnitte</translation>
+    </message>
+    <message>
+        <source>With all causes applied, the result changes: %1 (%2 times its stated uncertainty).</source>
+        <translation>Mit allen Ursachen ändert sich das Ergebnis: %1 (das %2-Fache der angegebenen Unsicherheit).</translation>
+    </message>
+    <message>
+        <source>Torque residual spectrum [N m/√Hz]</source>
+        <translation>Spektrum der Drehmomentabweichung [N m/√Hz]</translation>
+    </message>
+    <message>
+        <source>Force residual spectrum [N/√Hz]</source>
+        <translation>Spektrum der Kraftabweichung [N/√Hz]</translation>
+    </message>
+    <message>
+        <source>causes corrected</source>
+        <translation>Ursachen korrigiert</translation>
+    </message>
+    <message>
+        <source>uncorrected</source>
+        <translation>unkorrigiert</translation>
+    </message>
+    <message>
+        <source>No recording is open.</source>
+        <translation>Es ist keine Aufnahme geöffnet.</translation>
+    </message>
+    <message>
+        <source>The motion of the arm</source>
+        <translation>Die Bewegung des Arms</translation>
+    </message>
+    <message>
+        <source>%1: the name of a report must end in .html or .pdf.</source>
+        <translation>%1: Der Name eines Berichts muss auf .html oder .pdf enden.</translation>
     </message>
 </context>
 <context>
@@ -8120,18 +8163,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Realitätsprüfung wurde nicht durchgeführt.</translation>
     </message>
     <message>
-        <source>None was found.</source>
-        <translation>Keine wurde gefunden.</translation>
-    </message>
-    <message>
-        <source>The tool has changed, by more than chance.</source>
-        <translation>Das Werkzeug hat sich geändert, mehr als durch Zufall.</translation>
-    </message>
-    <message>
-        <source>Nothing has changed beyond chance.</source>
-        <translation>Nichts hat sich über den Zufall hinaus geändert.</translation>
-    </message>
-    <message>
         <source>Since the passport of {}</source>
         <translation>Seit dem Pass vom {}</translation>
     </message>
@@ -9556,10 +9587,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>In dieser Aufnahme nicht erkennbar: {}.</translation>
     </message>
     <message>
-        <source>The sensor’s mount is stated differently, so only the mass is compared.</source>
-        <translation>Der Anbau des Sensors ist anders angegeben, daher wird nur die Masse verglichen.</translation>
-    </message>
-    <message>
         <source>These numbers are not reliable; see the result’s warnings.</source>
         <translation>Diese Zahlen sind nicht verlässlich; siehe die Warnungen des Ergebnisses.</translation>
     </message>
@@ -9626,6 +9653,38 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Choose the joints one by one, for instance --use q1={}.</source>
         <translation>Wählen Sie die Gelenke einzeln, zum Beispiel mit --use q1={}.</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tisch</translation>
+    </message>
+    <message>
+        <source>wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation>Decke</translation>
+    </message>
+    <message>
+        <source>None were found.</source>
+        <translation>Es wurden keine gefunden.</translation>
+    </message>
+    <message>
+        <source>The sensor mounting differs, so only the mass is compared.</source>
+        <translation>Der Sensor ist anders angebaut, daher wird nur die Masse verglichen.</translation>
+    </message>
+    <message>
+        <source>{} contains no contact that defines a plane. Press the tool against each wall or table and hold it for a second, with free motion between.</source>
+        <translation>{} enthält keinen Kontakt, der eine Ebene festlegt. Drücken Sie das Werkzeug gegen jede Wand und jeden Tisch und halten Sie es eine Sekunde, mit freier Bewegung dazwischen.</translation>
+    </message>
+    <message>
+        <source>The tool has changed: the difference exceeds the measurement uncertainty.</source>
+        <translation>Das Werkzeug hat sich verändert: Der Unterschied ist größer als die Messunsicherheit.</translation>
+    </message>
+    <message>
+        <source>No change beyond the measurement uncertainty.</source>
+        <translation>Keine Veränderung über die Messunsicherheit hinaus.</translation>
     </message>
 </context>
 <context>
@@ -9943,10 +10002,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>%1 N</translation>
     </message>
     <message>
-        <source>What does today’s entry cost?</source>
-        <translation>Was kostet der heutige Eintrag?</translation>
-    </message>
-    <message>
         <source>Change it …</source>
         <translation>Ändern …</translation>
     </message>
@@ -9987,16 +10042,16 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Lastdateien (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>controller expects a mass in kg and perhaps a place in mm, a payload file, or off: controller 0.5 at 0,0,40.</source>
-        <translation>controller erwartet eine Masse in kg und vielleicht einen Ort in mm, eine Lastdatei oder off: controller 0.5 at 0,0,40.</translation>
-    </message>
-    <message>
         <source>Enter the payload that the controller is set to. Heft then shows the phantom forces it would see, and their effect.</source>
         <translation>Geben Sie die Last ein, die in der Steuerung steht. Heft zeigt dann die Scheinkräfte, die sie sähe, und was sie bewirken.</translation>
     </message>
     <message>
         <source>The arrow on the tool shows the force at the current time.</source>
         <translation>Der Pfeil am Werkzeug zeigt die Kraft im gezeigten Augenblick.</translation>
+    </message>
+    <message>
+        <source>What does the controller’s current entry cost?</source>
+        <translation>Was kostet der aktuelle Eintrag?</translation>
     </message>
 </context>
 <context>
@@ -10197,10 +10252,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The file was copied to the clipboard.</source>
         <translation>Die Datei liegt in der Zwischenablage.</translation>
-    </message>
-    <message>
-        <source>export expects a format and a file, and may end in replace: export franka-desk tool.json</source>
-        <translation>export erwartet ein Format und eine Datei und darf auf replace enden: export franka-desk tool.json</translation>
     </message>
     <message>
         <source>There is no format %1; heft export --help lists them.</source>
@@ -10524,10 +10575,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Lektionen (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>lesson expects a number, a file, next, back, answer NUMBER or off; answers come after the last step.</source>
-        <translation>lesson erwartet eine Nummer, eine Datei, next, back, answer NUMMER oder off; Antworten kommen nach dem letzten Schritt.</translation>
-    </message>
-    <message>
         <source>There is no lesson %1.</source>
         <translation>Es gibt keine Lektion %1.</translation>
     </message>
@@ -10538,6 +10585,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>No lesson is running.</source>
         <translation>Es läuft keine Lektion.</translation>
+    </message>
+    <message>
+        <source>Answers come after the last step of a lesson.</source>
+        <translation>Antworten folgen nach dem letzten Schritt einer Lektion.</translation>
     </message>
 </context>
 <context>
@@ -10809,10 +10860,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Kurven</translation>
     </message>
     <message>
-        <source>Saved automatically, %1</source>
-        <translation>Von selbst gespeichert, %1</translation>
-    </message>
-    <message>
         <source>%1 – Heft Studio</source>
         <translation>%1 – Heft Studio</translation>
     </message>
@@ -10841,40 +10888,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
-        <source>Open the recording</source>
-        <translation>Aufnahme öffnen</translation>
-    </message>
-    <message>
         <source>Robot and sensor …</source>
         <translation>Roboter und Sensor …</translation>
     </message>
     <message>
         <source>Choose columns and units …</source>
         <translation>Spalten und Einheiten wählen …</translation>
-    </message>
-    <message>
-        <source>Save as …</source>
-        <translation>Speichern unter …</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Your last session was not closed. It was saved automatically.</source>
-        <translation>Ihre letzte Sitzung wurde nicht geschlossen. Sie wurde automatisch gesichert.</translation>
-    </message>
-    <message>
-        <source>Heft Studio closed during a recording. The data up to that point was saved.</source>
-        <translation>Heft Studio endete während einer Aufnahme. Die Daten bis dahin wurden gesichert.</translation>
-    </message>
-    <message>
-        <source>The session cannot be saved automatically: %1 Save it elsewhere.</source>
-        <translation>Die Sitzung kann nicht selbsttätig gesichert werden: %1 Speichern Sie sie an einem anderen Ort.</translation>
-    </message>
-    <message>
-        <source>The saved session could not be restored; it is now %1. %2</source>
-        <translation>Die gesicherte Sitzung konnte nicht wiederhergestellt werden; sie ist jetzt %1. %2</translation>
     </message>
 </context>
 <context>
@@ -11034,10 +11053,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>wie Heft &amp;vorschlägt</translation>
     </message>
     <message>
-        <source>mark expects FROM TO and free, contact, ignore or suggested, for instance: mark 2.5 4 contact</source>
-        <translation>mark erwartet VON BIS und free, contact, ignore oder suggested, zum Beispiel: mark 2.5 4 contact</translation>
-    </message>
-    <message>
         <source>mark needs an open recording.</source>
         <translation>mark braucht eine offene Aufnahme.</translation>
     </message>
@@ -11100,6 +11115,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>excluded at each end</source>
         <translation>an jedem Ende weggelassen</translation>
+    </message>
+    <message>
+        <source>A segment has to end after it begins.</source>
+        <translation>Ein Abschnitt muss nach seinem Anfang enden.</translation>
     </message>
 </context>
 <context>
@@ -11358,10 +11377,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>object expects picked-up, minus and a recording, or off.</source>
-        <translation>object erwartet picked-up, minus und eine Aufnahme oder off.</translation>
     </message>
     <message>
         <source>Heft can weigh what the tool carries: from this recording, if the object is picked up or put down in it, or with a second recording of the tool alone.</source>
@@ -11709,14 +11724,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Im Ordner zeigen</translation>
     </message>
     <message>
-        <source>prove expects a recording, or live: prove check.csv.</source>
-        <translation>prove erwartet eine Aufnahme oder live: prove check.csv.</translation>
-    </message>
-    <message>
-        <source>passport expects a file, and may end in tool NAME, since FILE, replace: passport gripper.pdf tool Gripper since old.json.</source>
-        <translation>passport erwartet eine Datei und darf mit tool NAME, since DATEI, replace enden: passport gripper.pdf tool Gripper since old.json.</translation>
-    </message>
-    <message>
         <source>Is it right on the robot?</source>
         <translation>Stimmt es am Roboter?</translation>
     </message>
@@ -11806,36 +11813,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Prüfen an %1</translation>
     </message>
     <message>
-        <source>The reality check proposes no change of the setup file.</source>
-        <translation>Die Realitätsprüfung schlägt keine Änderung der Aufbaudatei vor.</translation>
-    </message>
-    <message>
-        <source>%1 already exists and was not overwritten.</source>
-        <translation>%1 gibt es schon und wurde nicht ersetzt.</translation>
-    </message>
-    <message>
-        <source>Save the corrected setup file</source>
-        <translation>Die berichtigte Aufbaudatei speichern</translation>
-    </message>
-    <message>
-        <source>Setup files (*.meta.json)</source>
-        <translation>Aufbaudateien (*.meta.json)</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 gespeichert.</translation>
-    </message>
-    <message>
-        <source>A report needs an open recording.</source>
-        <translation>Ein Bericht braucht eine offene Aufnahme.</translation>
-    </message>
-    <message>
         <source>Open a recording first.</source>
         <translation>Öffnen Sie zuerst eine Aufnahme.</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf);;Web page (*.html)</source>
-        <translation>PDF (*.pdf);;Webseite (*.html)</translation>
     </message>
     <message>
         <source>Looking for causes …</source>
@@ -11903,10 +11882,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>none</source>
         <translation>keine</translation>
-    </message>
-    <message>
-        <source>look expects plots, time, frequency or motion.</source>
-        <translation>look erwartet plots, time, frequency oder motion.</translation>
     </message>
     <message>
         <source>check needs a reality check first: diagnose.</source>
@@ -12013,14 +11988,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>die Berichtigung „%1“ entfernen</translation>
     </message>
     <message>
-        <source>There is no reality check yet to correct a setup file from.</source>
-        <translation>Es gibt noch keine Realitätsprüfung, aus der sich eine Aufbaudatei berichtigen ließe.</translation>
-    </message>
-    <message>
-        <source>Save report</source>
-        <translation>Bericht speichern</translation>
-    </message>
-    <message>
         <source>Heft compares the recording with the simulation, and with 200 simulated clean recordings.</source>
         <translation>Heft vergleicht die Aufnahme mit der Simulation und mit 200 simulierten sauberen Aufnahmen.</translation>
     </message>
@@ -12055,10 +12022,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>There is no quantity called %1.</source>
         <translation>Es gibt keine Größe namens %1.</translation>
-    </message>
-    <message>
-        <source>practice expects the number of an exercise.</source>
-        <translation>practice erwartet die Nummer einer Übung.</translation>
     </message>
     <message>
         <source>%1 is not one of the faults to guess.</source>
@@ -12273,24 +12236,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Es wurde nichts aufgezeichnet.</translation>
     </message>
     <message>
-        <source>live %1 expects seconds and a tool&apos;s number.</source>
-        <translation>live %1 erwartet Sekunden und die Nummer eines Werkzeugs.</translation>
-    </message>
-    <message>
         <source>The virtual arm did not start.</source>
         <translation>Der virtuelle Arm ist nicht gestartet.</translation>
     </message>
     <message>
         <source>Nothing is being recorded: begin with live virtual or live replay.</source>
         <translation>Es wird nichts aufgezeichnet: Beginnen Sie mit live virtual oder live replay.</translation>
-    </message>
-    <message>
-        <source>live pass expects seconds of a virtual arm.</source>
-        <translation>live pass erwartet Sekunden eines virtuellen Arms.</translation>
-    </message>
-    <message>
-        <source>live guide expects metres and, if you like, radians.</source>
-        <translation>live guide erwartet Meter und, wenn Sie mögen, Radiant.</translation>
     </message>
     <message>
         <source>Move the arm as the coach suggests, then press “Stop and save”</source>
@@ -12363,10 +12314,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Two-minute tour with a sample</source>
         <translation>Zwei Minuten Rundgang mit einem Beispiel</translation>
-    </message>
-    <message>
-        <source>sample expects clean, hose or delay.</source>
-        <translation>sample erwartet clean, hose oder delay.</translation>
     </message>
     <message>
         <source>Show in folder</source>
@@ -12470,6 +12417,14 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Walls t&amp;hat were touched</source>
         <translation>Berührte &amp;Wände</translation>
+    </message>
+    <message>
+        <source>In a script, the virtual arm can move for at most %1 s.</source>
+        <translation>In einem Skript kann sich der virtuelle Arm höchstens %1 s bewegen.</translation>
+    </message>
+    <message>
+        <source>live pass works only with the virtual arm.</source>
+        <translation>live pass gibt es nur mit dem virtuellen Arm.</translation>
     </message>
 </context>
 <context>
@@ -12620,6 +12575,41 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>residual</source>
         <translation>Rest</translation>
+    </message>
+</context>
+<context>
+    <name>heft::Recovery</name>
+    <message>
+        <source>The session cannot be saved automatically: %1 Save it elsewhere.</source>
+        <translation>Die Sitzung kann nicht automatisch gesichert werden: %1 Speichern Sie sie an einem anderen Ort.</translation>
+    </message>
+    <message>
+        <source>Save as …</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Your last session was not closed. It was saved automatically.</source>
+        <translation>Ihre letzte Sitzung wurde nicht geschlossen. Sie wurde automatisch gesichert.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Saved automatically, %1</source>
+        <translation>Automatisch gespeichert, %1</translation>
+    </message>
+    <message>
+        <source>The saved session could not be restored; it is now %1. %2</source>
+        <translation>Die gesicherte Sitzung konnte nicht wiederhergestellt werden; sie ist jetzt %1. %2</translation>
+    </message>
+    <message>
+        <source>Heft Studio closed during a recording. The data up to that point was saved.</source>
+        <translation>Heft Studio endete während einer Aufnahme. Die Daten bis dahin wurden gesichert.</translation>
+    </message>
+    <message>
+        <source>Open the recording</source>
+        <translation>Aufnahme öffnen</translation>
     </message>
 </context>
 <context>
@@ -12974,52 +12964,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Pfeiltasten drehen die Ansicht, mit Umschalt verschieben sie, Plus und Minus vergrößern und verkleinern</translation>
     </message>
     <message>
-        <source>Show the whole arm (F)</source>
-        <translation>Den ganzen Arm zeigen (F)</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>Vorn</translation>
-    </message>
-    <message>
-        <source>Side</source>
-        <translation>Seite</translation>
-    </message>
-    <message>
-        <source>Top</source>
-        <translation>Oben</translation>
-    </message>
-    <message>
-        <source>Choose what is shown</source>
-        <translation>Wählen, was gezeigt wird</translation>
-    </message>
-    <message>
-        <source>Path</source>
-        <translation>Weg</translation>
-    </message>
-    <message>
-        <source>Force, torque and gravity</source>
-        <translation>Kraft, Moment und Schwerkraft</translation>
-    </message>
-    <message>
-        <source>Sensor axes</source>
-        <translation>Sensorachsen</translation>
-    </message>
-    <message>
         <source>Centre of mass</source>
         <translation>Schwerpunkt</translation>
-    </message>
-    <message>
-        <source>Floor grid</source>
-        <translation>Bodengitter</translation>
-    </message>
-    <message>
-        <source>Labels</source>
-        <translation>Beschriftungen</translation>
-    </message>
-    <message>
-        <source>Save a picture of this view</source>
-        <translation>Bild dieser Ansicht speichern</translation>
     </message>
     <message>
         <source>force and torque</source>
@@ -13054,10 +13000,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Diese Aufnahme hat keine Position: Der Sensor dreht sich auf der Stelle</translation>
     </message>
     <message>
-        <source>Tool</source>
-        <translation>Werkzeug</translation>
-    </message>
-    <message>
         <source>sensor, tool side</source>
         <translation>Sensor, Werkzeugseite</translation>
     </message>
@@ -13066,20 +13008,8 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>aus dieser Bewegung nicht bekannt</translation>
     </message>
     <message>
-        <source>Zoom to the tool (T)</source>
-        <translation>Nah ans Werkzeug (T)</translation>
-    </message>
-    <message>
-        <source>View direction</source>
-        <translation>Blickrichtung</translation>
-    </message>
-    <message>
         <source>the shape is mounted here</source>
         <translation>hier sitzt die Form</translation>
-    </message>
-    <message>
-        <source>Maximise the 3D view, or restore it (Shift+F11)</source>
-        <translation>3D-Ansicht maximieren oder zurückholen (Umschalt+F11)</translation>
     </message>
     <message>
         <source>No joint angles recorded: a Panda that reaches these poses is shown</source>
@@ -13131,10 +13061,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::ScriptRunner</name>
     <message>
-        <source>picture expects a file and perhaps window, view, plots or panel.</source>
-        <translation>picture erwartet eine Datei und vielleicht window, view, plots oder panel.</translation>
-    </message>
-    <message>
         <source>%1 could not be written: check that the folder exists, may be written to, and that the name ends in .png.</source>
         <translation>%1 konnte nicht geschrieben werden: Prüfen Sie, ob es den Ordner gibt, ob man in ihn schreiben darf und ob der Name auf .png endet.</translation>
     </message>
@@ -13149,14 +13075,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>%1 already exists and was not overwritten.</source>
         <translation>%1 gibt es schon und wurde nicht ersetzt.</translation>
-    </message>
-    <message>
-        <source>camera expects whole, tool, front, side or top.</source>
-        <translation>camera erwartet whole, tool, front, side oder top.</translation>
-    </message>
-    <message>
-        <source>language expects one of %1.</source>
-        <translation>language erwartet eine von %1.</translation>
     </message>
     <message>
         <source>size expects WIDTHxHEIGHT between 640x400 and 7680x4320.</source>
@@ -13175,20 +13093,12 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Die offene Aufnahme hat keinen Kanal %1.</translation>
     </message>
     <message>
-        <source>alone expects view, plots or off.</source>
-        <translation>alone erwartet view, plots oder off.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; has none of the forms: %2</source>
         <translation>„%1“ passt zu keiner der Formen: %2</translation>
     </message>
     <message>
         <source>Unknown command &quot;%1&quot;; see heft-studio --help.</source>
         <translation>Unbekannter Befehl „%1“; siehe heft-studio --help.</translation>
-    </message>
-    <message>
-        <source>%1 is not a unit; units expects kg, g, mm, inch, Nm, Nmm, degrees or radians.</source>
-        <translation>%1 ist keine Einheit; units erwartet kg, g, mm, inch, Nm, Nmm, degrees oder radians.</translation>
     </message>
 </context>
 <context>
@@ -13368,10 +13278,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>material</source>
         <translation>Material</translation>
-    </message>
-    <message>
-        <source>handles expects size, move or tilt.</source>
-        <translation>handles erwartet size, move oder tilt.</translation>
     </message>
     <message>
         <source>Choose a CAD file …</source>
@@ -13978,10 +13884,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::TouchedWalls</name>
     <message>
-        <source>No touch in this recording shows a wall or a table. Press the tool against each and hold it for a second, with free motion between.</source>
-        <translation>Keine Berührung in dieser Aufnahme zeigt eine Wand oder einen Tisch. Drücken Sie das Werkzeug gegen jede Fläche und halten Sie es eine Sekunde, mit freier Bewegung dazwischen.</translation>
-    </message>
-    <message>
         <source>Open a recording in which the tool is pressed against walls and tables first.</source>
         <translation>Öffnen Sie zuerst eine Aufnahme, in der das Werkzeug gegen Wände und Tische gedrückt wird.</translation>
     </message>
@@ -14058,6 +13960,73 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     </message>
 </context>
 <context>
+    <name>heft::ViewTools</name>
+    <message>
+        <source>Show the whole arm (F)</source>
+        <translation>Den ganzen Arm zeigen (F)</translation>
+    </message>
+    <message>
+        <source>Zoom to the tool (T)</source>
+        <translation>Nah ans Werkzeug (T)</translation>
+    </message>
+    <message>
+        <source>View direction</source>
+        <translation>Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Choose what is shown</source>
+        <translation>Wählen, was gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Maximise the 3D view, or restore it (Shift+F11)</source>
+        <translation>3D-Ansicht maximieren oder zurückholen (Umschalt+F11)</translation>
+    </message>
+    <message>
+        <source>Save a picture of this view</source>
+        <translation>Bild dieser Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Force, torque and gravity</source>
+        <translation>Kraft, Moment und Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Sensor axes</source>
+        <translation>Sensorachsen</translation>
+    </message>
+    <message>
+        <source>Centre of mass</source>
+        <translation>Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>Floor grid</source>
+        <translation>Bodengitter</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Beschriftungen</translation>
+    </message>
+</context>
+<context>
     <name>heft::Viewport</name>
     <message>
         <source>The 3D view needs OpenGL, which this computer does not offer. Everything else works without it.</source>
@@ -14104,10 +14073,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>whatif needs an open recording.</source>
         <translation>whatif braucht eine offene Aufnahme.</translation>
-    </message>
-    <message>
-        <source>whatif expects on, off, or causes with their sizes: whatif time_offset 12.</source>
-        <translation>whatif erwartet on, off oder Ursachen mit ihren Größen: whatif time_offset 12.</translation>
     </message>
     <message>
         <source>There is no slider %1 on this recording.</source>

@@ -40,14 +40,15 @@ TEST_F(PassportCommandTest, HoldsNumbersProofAndCausesOnOnePage) {
   EXPECT_TRUE(made["looked_for_causes"].get<bool>());
   EXPECT_FALSE(made["not_seen"].empty());
   const std::string page = read("first.html");
-  for (const char* text : {"Gripper 3", "PASS", "Not detectable in this recording: ", "None was found.", "kg cm²"})
+  for (const char* text : {"Gripper 3", "PASS", "Not detectable in this recording: ", "None were found.", "kg cm²"})
     EXPECT_THAT(page, HasSubstr(text));
 
   // The next one says what changed.
   estimated("monday", "0.9", "33");
   const Outcome next = passport({"--since", "first.json", "--json", "second.json"});
   ASSERT_EQ(next.exitCode, 0) << next.err;
-  EXPECT_THAT(next.out, HasSubstr("Since the passport of 2026-11-28: The tool has changed, by more than chance."));
+  EXPECT_THAT(next.out, HasSubstr("Since the passport of 2026-11-28: The tool has changed: the difference exceeds the "
+                                  "measurement uncertainty."));
   EXPECT_TRUE(readJson("second.json")["since"]["mass_and_centre_changed"].get<bool>());
   // A proof of the numbers before is none of these.
   EXPECT_TRUE(failedWithOneSentence(passport({"--proof", "proof.json"}), "other numbers"));

@@ -43,24 +43,24 @@ TEST_F(ConsequenceTest, ThePhantomIsDrawnOnTheArmWhileResultIsShown) {
   open(simulated("rec", 4));
   window.showStep(Step::result);
   tell(Step::result, {"controller", "0.4"});
-  ASSERT_EQ(window.robotView()->causes().size(), 1u);
+  ASSERT_EQ(window.robotView()->marks().causes().size(), 1u);
   EXPECT_TRUE(window.robotView()->labelTexts().contains("Phantom force"))
       << window.robotView()->labelTexts().join(", ").toStdString();
   EXPECT_TRUE(texts(Step::result).contains("phantom"));
-  const Vector3d before = window.robotView()->causes()[0].vector;
+  const Vector3d before = window.robotView()->marks().causes()[0].vector;
   window.playback()->setTime(5.0);
   settle();
-  EXPECT_FALSE(window.robotView()->causes()[0].vector.isApprox(before, 1e-3)) << "it follows the instant shown";
+  EXPECT_FALSE(window.robotView()->marks().causes()[0].vector.isApprox(before, 1e-3)) << "it follows the instant shown";
   window.showStep(Step::exportFile);
   settle();
-  EXPECT_TRUE(window.robotView()->causes().empty());
+  EXPECT_TRUE(window.robotView()->marks().causes().empty());
   window.showStep(Step::result);
   settle();
-  EXPECT_EQ(window.robotView()->causes().size(), 1u);
+  EXPECT_EQ(window.robotView()->marks().causes().size(), 1u);
   // What is mounted besides the tool belongs to the entry, and undo takes the entry back.
   workspace.undoStack()->undo();
   settle();
-  EXPECT_TRUE(window.robotView()->causes().empty());
+  EXPECT_TRUE(window.robotView()->marks().causes().empty());
 }
 
 TEST_F(ConsequenceTest, NumbersAreProvedOnWhatComesIn) {

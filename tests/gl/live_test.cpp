@@ -126,7 +126,7 @@ TEST_F(LiveWindowTest, TheRoomStandsInTheViewAndTheGapTurnsRedWithinTheMargin) {
     EXPECT_TRUE(panel->obey({"room", table(height)})->ok());
     panel->startVirtual(3, false, false);
     pass(2.0);
-    return window.robotView()->gap();
+    return window.robotView()->marks().gap();
   };
   const auto red = [&] {
     const QImage picture = viewPicture();
@@ -162,7 +162,7 @@ TEST_F(LiveWindowTest, TheRoomStandsInTheViewAndTheGapTurnsRedWithinTheMargin) {
   keepPicture(window, "live-room-near");
   ASSERT_TRUE(panel->obey({"live", "discard"})->ok());
   settle();
-  EXPECT_FALSE(window.robotView()->gap()) << "with the run it goes";
+  EXPECT_FALSE(window.robotView()->marks().gap()) << "with the run it goes";
 
   panel->setWay(RecordPanel::Way::virtualArm);
   EXPECT_TRUE(texts(Step::record).contains("room.json: 1 obstacle")) << texts(Step::record).toStdString();

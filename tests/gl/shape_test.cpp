@@ -57,8 +57,8 @@ TEST_F(ShapeWindowTest, AHandleIsDraggedWithTheMouseInOneUndoStep) {
   EXPECT_GT(difference(without, with), 0.01) << "the tool is on the arm at once";
   const double before = shape().bodies[0].dims[2];
   const int edits = workspace.undoStack()->count();
-  const auto knob = window.robotView()->knob(2);  // height
-  const auto centre = window.robotView()->knob(0);
+  const auto knob = window.robotView()->handles().knob(2);  // height
+  const auto centre = window.robotView()->handles().knob(0);
   ASSERT_TRUE(knob);
   ASSERT_TRUE(centre);
   send(QEvent::MouseMove, *knob, Qt::NoButton);
@@ -67,7 +67,7 @@ TEST_F(ShapeWindowTest, AHandleIsDraggedWithTheMouseInOneUndoStep) {
   send(QEvent::MouseButtonPress, *knob, Qt::LeftButton);
   EXPECT_EQ(viewport()->cursor().shape(), Qt::ClosedHandCursor);
   // Outwards along the arrow: away from the sensor is where the knob is.
-  const QPointF origin = *window.robotView()->knob(2);
+  const QPointF origin = *window.robotView()->handles().knob(2);
   QPointF out(0, 1);
   {
     // Direction of the tool in the picture, from a knob half way along it to the one at its end.
@@ -101,7 +101,7 @@ TEST_F(ShapeWindowTest, ALengthIsTypedWhereItStandsInThePicture) {
   const int edits = workspace.undoStack()->count();
   auto* field = viewport()->findChild<QLineEdit*>("dimensionField");
   ASSERT_TRUE(field && !field->isVisible());
-  const auto label = window.robotView()->dimensionLabel(2);
+  const auto label = window.robotView()->handles().dimensionLabel(2);
   ASSERT_TRUE(label);
   send(QEvent::MouseMove, *label, Qt::NoButton);
   EXPECT_EQ(viewport()->cursor().shape(), Qt::IBeamCursor);
@@ -117,7 +117,7 @@ TEST_F(ShapeWindowTest, ALengthIsTypedWhereItStandsInThePicture) {
   workspace.undoStack()->undo();
   EXPECT_EQ(shape().bodies[0].dims[2], before);
   // The handle itself, pressed and let go without dragging.
-  const auto knob = window.robotView()->knob(0);
+  const auto knob = window.robotView()->handles().knob(0);
   ASSERT_TRUE(knob);
   send(QEvent::MouseMove, *knob, Qt::NoButton);
   QTest::mouseClick(viewport(), Qt::LeftButton, {}, knob->toPoint());
@@ -128,7 +128,7 @@ TEST_F(ShapeWindowTest, ALengthIsTypedWhereItStandsInThePicture) {
   EXPECT_FALSE(field->isVisible());
   EXPECT_EQ(workspace.undoStack()->index(), edits) << "Esc leaves it as it was";
   // What is no length is said, and changes nothing.
-  QTest::mouseClick(viewport(), Qt::LeftButton, {}, window.robotView()->dimensionLabel(2)->toPoint());
+  QTest::mouseClick(viewport(), Qt::LeftButton, {}, window.robotView()->handles().dimensionLabel(2)->toPoint());
   ASSERT_TRUE(field->isVisible());
   QTest::keyClicks(field, "wide");
   QTest::keyClick(field, Qt::Key_Return);
@@ -142,7 +142,7 @@ TEST_F(ShapeWindowTest, EscapePutsBackWhatADragChanged) {
   click("picture_cylinder");
   click("modeMove");
   const Vector3d before = nearEnd(shape().bodies[0]);
-  const auto knob = window.robotView()->knob(10);  // along z
+  const auto knob = window.robotView()->handles().knob(10);  // along z
   ASSERT_TRUE(knob);
   send(QEvent::MouseButtonPress, *knob, Qt::LeftButton);
   for (const double d : {10.0, 30.0}) {
@@ -161,7 +161,7 @@ TEST_F(ShapeWindowTest, RingsTiltTheTool) {
   click("modeTurn");
   std::optional<QPointF> knob;
   int id = 0;
-  for (id = 12; id < 15 && !knob; ++id) knob = window.robotView()->knob(id);
+  for (id = 12; id < 15 && !knob; ++id) knob = window.robotView()->handles().knob(id);
   ASSERT_TRUE(knob);
   send(QEvent::MouseButtonPress, *knob, Qt::LeftButton);
   for (const double d : {10.0, 25.0, 40.0}) send(QEvent::MouseMove, *knob + QPointF(d, d), Qt::LeftButton);

@@ -275,7 +275,7 @@ TEST_F(WindowTest, LabelsKeepClearOfTheNoteAndOfEachOther) {
         QTest::qWait(40);
         view->renderNow();
         const auto places = view->labelPlaces();
-        const QRectF note = view->notePlace(), picture(QPointF(0, 0), QSizeF(view->size()));
+        const QRectF note = view->note().notePlace(), picture(QPointF(0, 0), QSizeF(view->size()));
         EXPECT_FALSE(note.isEmpty());
         for (std::size_t i = 0; i < places.size(); ++i) {
           ++labels;

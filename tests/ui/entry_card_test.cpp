@@ -1,4 +1,4 @@
-// "What does today's entry cost?" in the step Result.
+// "What does the controller's current entry cost?" in the step Result.
 #include <gtest/gtest.h>
 
 #include <QDialogButtonBox>
@@ -168,8 +168,8 @@ TEST_F(EntryCardTest, WhatTheScriptCannotReadIsSaid) {
                                    {"controller", "0.5", "at", "0,0"},
                                    {"controller", "a.json"}}) {
     const auto obeyed = step->obey(words);
-    ASSERT_TRUE(obeyed);
-    EXPECT_FALSE(obeyed->ok()) << words.join(' ').toStdString();
+    // Nothing: the line has none of the forms, which the runner then lists.
+    EXPECT_FALSE(obeyed && obeyed->ok()) << words.join(' ').toStdString();
   }
   EXPECT_FALSE(workspace.session().controller.told.mass);
 }

@@ -21,12 +21,12 @@
 #include "tests/support/as_driver.h"
 #include "ui/charts/chart.h"
 #include "ui/controller/workspace.h"
-#include "ui/reality_panel/cause_card.h"
-#include "ui/reality_panel/cause_words.h"
+#include "ui/reality_cards/cause_card.h"
+#include "ui/reality_cards/cause_words.h"
+#include "ui/reality_cards/reality_page.h"
 #include "ui/reality_panel/difference_pane.h"
 #include "ui/reality_panel/difference_traces.h"
 #include "ui/reality_panel/practice.h"
-#include "ui/reality_panel/reality_page.h"
 #include "ui/reality_panel/reality_panel.h"
 
 // After ui/controller/diagnosis.h, which lets Qt's keyword "signals" be an ordinary word.

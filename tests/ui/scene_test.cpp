@@ -4,9 +4,9 @@
 #include <numeric>
 
 #include "tests/ui/fixtures.h"
+#include "ui/robot_look/robot_look.h"
 #include "ui/robot_view/orbit_camera.h"
 #include "ui/robot_view/posed_arm.h"
-#include "ui/robot_view/robot_look.h"
 #include "ui/robot_view/robot_view.h"
 #include "ui/robot_view/scene_state.h"
 #include "ui/robot_view/scene_track.h"

@@ -123,8 +123,8 @@ TEST_F(WhatIfTest, TheScriptSaysWhatItCannotTurn) {
                                    {"whatif", "time_offset", "-1"},
                                    {"whatif", "time_offset", "1000"}}) {
     const auto obeyed = panel->obey(words);
-    ASSERT_TRUE(obeyed);
-    EXPECT_FALSE(obeyed->ok()) << words.join(' ').toStdString();
+    // Nothing: the line has none of the forms, which the runner then lists.
+    EXPECT_FALSE(obeyed && obeyed->ok()) << words.join(' ').toStdString();
   }
 }
 
@@ -148,7 +148,7 @@ TEST_F(WhatIfTest, ALessonLeadsFromItsRecordingToItsQuestion) {
     return all;
   };
   tell({"lesson", "5"});
-  EXPECT_TRUE(words().contains("Late against filtered")) << words().toStdString();
+  EXPECT_TRUE(words().contains("Delayed or filtered?")) << words().toStdString();
   EXPECT_TRUE(workspace.opened()->path.contains("lesson-"));
   EXPECT_NEAR(mass().split(' ').first().toDouble(), 0.75, 0.01) << "of the lesson, not of what was open before";
   EXPECT_EQ(slider("time_offset"), nullptr) << "the first step only looks";
@@ -167,7 +167,7 @@ TEST_F(WhatIfTest, ALessonLeadsFromItsRecordingToItsQuestion) {
   tell({"lesson", "answer", "1"});
   EXPECT_TRUE(words().contains("Right."));
   tell({"lesson", "off"});
-  EXPECT_FALSE(words().contains("Late against filtered"));
+  EXPECT_FALSE(words().contains("Delayed or filtered?"));
   const auto wrong = panel->obey({"lesson", "7"});
   EXPECT_TRUE(wrong && !wrong->ok());
 }

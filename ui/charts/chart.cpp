@@ -65,6 +65,210 @@ QString tickText(double value, const std::vector<double>& ticks, bool log) {
   return numberText(value, decimals);
 }
 
+/// One chart, part by part.
+struct ChartPainter {
+  ChartPainter(QPainter& painter, const QRectF& whole, const Chart& what, const Theme& theme)
+      : p(painter), area(whole), chart(what), t(theme), small(uiFont(type::kTick)), metrics(small) {
+    p.setRenderHint(QPainter::Antialiasing);
+    p.setFont(small);
+    x.log = chart.logX;
+    y.log = chart.logY;
+  }
+
+  ChartPlace draw(bool legend) {
+    if (!spanCurves()) {
+      p.setPen(t.text2);
+      p.drawText(area, Qt::AlignCenter | Qt::TextWordWrap, chart.nothing);
+      return {};
+    }
+    widenSpans();
+    yTicks = ticksOf(y, area.height() > 180 ? 6 : 4);
+    for (const double tick : yTicks)
+      widest = std::max(widest, metrics.horizontalAdvance(tickText(tick, yTicks, y.log)));
+    const double top = chart.yTitle.isEmpty() && !legend ? 4 : line + 8;
+    plot = area.adjusted(widest + 8, top, -8, -(line + 6) - (chart.xTitle.isEmpty() ? 0 : line));
+    drawGround();
+    drawScales();
+    p.save();
+    p.setClipRect(plot);
+    for (const auto& curve : chart.curves) curve.colour == ChartCurve::Colour::dots ? drawDots(curve) : drawLine(curve);
+    drawMarker();
+    p.restore();
+    p.setPen(QPen(t.line, 1));
+    p.drawRect(plot);
+    drawHead(legend);
+    return {plot, x.low, x.high, y.low, y.high};
+  }
+
+  double px(double v) const { return plot.left() + x.share(v) * plot.width(); }
+  double py(double v) const { return plot.bottom() - y.share(v) * plot.height(); }
+
+  /// False where the curves have no extent.
+  bool spanCurves() {
+    x.low = y.low = 1e300;
+    x.high = y.high = -1e300;
+    for (const auto& curve : chart.curves)
+      for (const QPointF& point : curve.points) {
+        if (!std::isfinite(point.x()) || !std::isfinite(point.y())) continue;
+        if ((x.log && point.x() <= 0.0) || (y.log && point.y() <= 0.0)) continue;
+        x.low = std::min(x.low, x.value(point.x()));
+        x.high = std::max(x.high, x.value(point.x()));
+        y.low = std::min(y.low, y.value(point.y()));
+        y.high = std::max(y.high, y.value(point.y()));
+      }
+    return x.high > x.low;
+  }
+
+  /// By what else is to be seen, and some room at the edges.
+  void widenSpans() {
+    if (chart.band > 0.0) {
+      y.low = std::min(y.low, y.log ? y.value(0.5 * chart.band) : -1.3 * chart.band);
+      y.high = std::max(y.high, y.value(1.3 * chart.band));
+    }
+    for (const QPointF& point : chart.floor)
+      if (point.y() > 0.0) {
+        y.low = std::min(y.low, y.value(0.5 * point.y()));
+        y.high = std::max(y.high, y.value(1.3 * point.y()));
+      }
+    if (chart.yHigh > chart.yLow) {
+      y.low = std::min(y.low, y.value(chart.yLow));
+      y.high = std::max(y.high, y.value(chart.yHigh));
+    }
+    if (!(y.high > y.low)) y.high = y.low + 1.0;
+    const double pad = 0.06 * (y.high - y.low);
+    y.low -= pad;
+    y.high += pad;
+    // A curve may begin at the edge; half of a dot there would be cut off.
+    if (std::ranges::any_of(chart.curves, [](const auto& c) { return c.colour == ChartCurve::Colour::dots; })) {
+      const double beside = 0.03 * (x.high - x.low);
+      x.low -= beside;
+      x.high += beside;
+    }
+  }
+
+  void drawGround() {
+    p.fillRect(plot, t.panel);
+    p.save();
+    p.setClipRect(plot);
+    if (chart.band > 0.0) {
+      const double bottom = y.log ? plot.bottom() : py(-chart.band);
+      p.fillRect(QRectF(QPointF(plot.left(), py(chart.band)), QPointF(plot.right(), bottom)), t.noise);
+    }
+    if (chart.floor.size() > 1) {
+      QPolygonF under;
+      for (const QPointF& point : chart.floor) under << QPointF(px(point.x()), py(point.y()));
+      under << QPointF(under.back().x(), plot.bottom()) << QPointF(under.front().x(), plot.bottom());
+      p.setPen(Qt::NoPen);
+      p.setBrush(t.noise);
+      p.drawPolygon(under);
+      p.setBrush(Qt::NoBrush);
+    }
+    p.restore();
+  }
+
+  void drawScales() {
+    p.setPen(QPen(t.plotGrid, 1));
+    for (const double tick : yTicks) p.drawLine(QPointF(plot.left(), py(tick)), QPointF(plot.right(), py(tick)));
+    if (!y.log && y.low < 0.0 && y.high > 0.0) {
+      p.setPen(QPen(t.plotZero, 1));
+      p.drawLine(QPointF(plot.left(), py(0.0)), QPointF(plot.right(), py(0.0)));
+    }
+    p.setPen(t.text2);
+    for (const double tick : yTicks)
+      p.drawText(QRectF(area.left(), py(tick) - line / 2, widest + 2, line), Qt::AlignRight | Qt::AlignVCenter,
+                 tickText(tick, yTicks, y.log));
+    const std::vector<double> xTicks = ticksOf(x, std::max(2, static_cast<int>(plot.width() / 90)));
+    for (const double tick : xTicks) {
+      QString text = tickText(tick, xTicks, x.log);
+      if (tick == xTicks.back() && !chart.xUnit.isEmpty()) text += QStringLiteral(" ") + chart.xUnit;
+      const double half = 0.5 * metrics.horizontalAdvance(text) + 2;
+      const double at = std::clamp(px(tick), area.left() + half, area.right() - half);
+      p.drawText(QRectF(at - half, plot.bottom() + 3, 2 * half, line), Qt::AlignCenter, text);
+    }
+    if (!chart.xTitle.isEmpty())
+      p.drawText(QRectF(plot.left(), area.bottom() - line, plot.width(), line), Qt::AlignRight, chart.xTitle);
+  }
+
+  void drawDots(const ChartCurve& curve) {
+    QColor pale = colourOf(curve.colour, t);
+    pale.setAlpha(110);
+    p.setPen(Qt::NoPen);
+    p.setBrush(pale);
+    for (const QPointF& point : curve.points)
+      if (std::isfinite(point.x()) && std::isfinite(point.y()))
+        p.drawEllipse(QPointF(px(point.x()), py(point.y())), 1.6, 1.6);
+    p.setBrush(Qt::NoBrush);
+  }
+
+  void drawLine(const ChartCurve& curve) {
+    QPen pen(colourOf(curve.colour, t), 1.5);
+    if (curve.dashed) pen.setDashPattern({3.0, 2.0});
+    p.setPen(pen);
+    QPainterPath path;
+    bool open = false;
+    for (const QPointF& point : curve.points) {
+      if (!std::isfinite(point.x()) || !std::isfinite(point.y()) || (y.log && point.y() <= 0.0) ||
+          (x.log && point.x() <= 0.0)) {
+        open = false;
+        continue;
+      }
+      const QPointF at(px(point.x()), py(point.y()));
+      open ? path.lineTo(at) : path.moveTo(at);
+      open = true;
+      // A stroke that crosses itself is slow to fill: piece by piece is far quicker. Dashes need the whole path.
+      if (curve.dashed || path.elementCount() < kPiece) continue;
+      p.drawPath(path);
+      path = QPainterPath(at);
+    }
+    p.drawPath(path);
+  }
+
+  void drawMarker() {
+    if (chart.marker && std::isfinite(chart.marker->x()) && std::isfinite(chart.marker->y())) {
+      p.setPen(QPen(t.accent, 2));
+      p.setBrush(Qt::NoBrush);
+      p.drawEllipse(QPointF(px(chart.marker->x()), py(chart.marker->y())), 6, 6);
+    }
+  }
+
+  /// Legend from the right, title in the room that it leaves.
+  void drawHead(bool legend) {
+    double right = plot.right();
+    if (legend) {
+      for (auto curve = chart.curves.rbegin(); curve != chart.curves.rend(); ++curve) {
+        if (curve->name.isEmpty()) continue;
+        const double width = metrics.horizontalAdvance(curve->name);
+        p.setPen(t.text2);
+        p.drawText(QRectF(right - width, area.top(), width + 2, line), Qt::AlignLeft, curve->name);
+        QPen pen(colourOf(curve->colour, t), 1.8);
+        if (curve->dashed) pen.setDashPattern({3.0, 2.0});
+        p.setPen(pen);
+        p.drawLine(QPointF(right - width - 24, area.top() + line / 2),
+                   QPointF(right - width - 6, area.top() + line / 2));
+        right -= width + 38;
+      }
+    }
+    QFont bold = small;
+    bold.setWeight(QFont::DemiBold);
+    p.setFont(bold);
+    p.setPen(t.text);
+    const QRectF head(area.left(), area.top(), std::max(20.0, right - area.left()), line);
+    p.drawText(head, Qt::AlignLeft, QFontMetricsF(bold).elidedText(chart.yTitle, Qt::ElideRight, head.width()));
+  }
+
+  QPainter& p;
+  const QRectF area;
+  const Chart& chart;
+  const Theme& t;
+  const QFont small;
+  const QFontMetricsF metrics;
+  const double line = metrics.height();
+  Span x, y;
+  std::vector<double> yTicks;
+  double widest = 0.0;  ///< Of their numbers
+  QRectF plot;
+};
+
 }  // namespace
 
 std::vector<double> ticksBetween(double low, double high, int about) {
@@ -84,171 +288,8 @@ std::vector<double> ticksBetween(double low, double high, int about) {
   return out;
 }
 
-ChartPlace drawChart(QPainter& p, const QRectF& area, const Chart& chart, const Theme& t, bool legend) {
-  p.setRenderHint(QPainter::Antialiasing);
-  const QFont small = [] {
-    QFont font = uiFont(type::kTick);
-    return font;
-  }();
-  p.setFont(small);
-  const QFontMetricsF metrics(small);
-  Span x, y;
-  x.log = chart.logX;
-  y.log = chart.logY;
-  x.low = y.low = 1e300;
-  x.high = y.high = -1e300;
-  for (const auto& curve : chart.curves)
-    for (const QPointF& point : curve.points) {
-      if (!std::isfinite(point.x()) || !std::isfinite(point.y())) continue;
-      if ((x.log && point.x() <= 0.0) || (y.log && point.y() <= 0.0)) continue;
-      x.low = std::min(x.low, x.value(point.x()));
-      x.high = std::max(x.high, x.value(point.x()));
-      y.low = std::min(y.low, y.value(point.y()));
-      y.high = std::max(y.high, y.value(point.y()));
-    }
-  if (!(x.high > x.low)) {
-    p.setPen(t.text2);
-    p.drawText(area, Qt::AlignCenter | Qt::TextWordWrap, chart.nothing);
-    return {};
-  }
-  if (chart.band > 0.0) {
-    y.low = std::min(y.low, y.log ? y.value(0.5 * chart.band) : -1.3 * chart.band);
-    y.high = std::max(y.high, y.value(1.3 * chart.band));
-  }
-  for (const QPointF& point : chart.floor)
-    if (point.y() > 0.0) {
-      y.low = std::min(y.low, y.value(0.5 * point.y()));
-      y.high = std::max(y.high, y.value(1.3 * point.y()));
-    }
-  if (chart.yHigh > chart.yLow) {
-    y.low = std::min(y.low, y.value(chart.yLow));
-    y.high = std::max(y.high, y.value(chart.yHigh));
-  }
-  if (!(y.high > y.low)) y.high = y.low + 1.0;
-  const double pad = 0.06 * (y.high - y.low);
-  y.low -= pad;
-  y.high += pad;
-  // A curve may begin at the edge; half of a dot there would be cut off.
-  if (std::ranges::any_of(chart.curves, [](const auto& c) { return c.colour == ChartCurve::Colour::dots; })) {
-    const double beside = 0.03 * (x.high - x.low);
-    x.low -= beside;
-    x.high += beside;
-  }
-
-  const std::vector<double> yTicks = ticksOf(y, area.height() > 180 ? 6 : 4);
-  double widest = 0.0;
-  for (const double tick : yTicks) widest = std::max(widest, metrics.horizontalAdvance(tickText(tick, yTicks, y.log)));
-  const double line = metrics.height();
-  const double top = chart.yTitle.isEmpty() && !legend ? 4 : line + 8;
-  const QRectF plot = area.adjusted(widest + 8, top, -8, -(line + 6) - (chart.xTitle.isEmpty() ? 0 : line));
-  const auto px = [&](double v) { return plot.left() + x.share(v) * plot.width(); };
-  const auto py = [&](double v) { return plot.bottom() - y.share(v) * plot.height(); };
-
-  p.fillRect(plot, t.panel);
-  p.save();
-  p.setClipRect(plot);
-  if (chart.band > 0.0) {
-    const double bottom = y.log ? plot.bottom() : py(-chart.band);
-    p.fillRect(QRectF(QPointF(plot.left(), py(chart.band)), QPointF(plot.right(), bottom)), t.noise);
-  }
-  if (chart.floor.size() > 1) {
-    QPolygonF under;
-    for (const QPointF& point : chart.floor) under << QPointF(px(point.x()), py(point.y()));
-    under << QPointF(under.back().x(), plot.bottom()) << QPointF(under.front().x(), plot.bottom());
-    p.setPen(Qt::NoPen);
-    p.setBrush(t.noise);
-    p.drawPolygon(under);
-    p.setBrush(Qt::NoBrush);
-  }
-  p.restore();
-  p.setPen(QPen(t.plotGrid, 1));
-  for (const double tick : yTicks) p.drawLine(QPointF(plot.left(), py(tick)), QPointF(plot.right(), py(tick)));
-  if (!y.log && y.low < 0.0 && y.high > 0.0) {
-    p.setPen(QPen(t.plotZero, 1));
-    p.drawLine(QPointF(plot.left(), py(0.0)), QPointF(plot.right(), py(0.0)));
-  }
-  p.setPen(t.text2);
-  for (const double tick : yTicks)
-    p.drawText(QRectF(area.left(), py(tick) - line / 2, widest + 2, line), Qt::AlignRight | Qt::AlignVCenter,
-               tickText(tick, yTicks, y.log));
-  const std::vector<double> xTicks = ticksOf(x, std::max(2, static_cast<int>(plot.width() / 90)));
-  for (const double tick : xTicks) {
-    QString text = tickText(tick, xTicks, x.log);
-    if (tick == xTicks.back() && !chart.xUnit.isEmpty()) text += QStringLiteral(" ") + chart.xUnit;
-    const double half = 0.5 * metrics.horizontalAdvance(text) + 2;
-    const double at = std::clamp(px(tick), area.left() + half, area.right() - half);
-    p.drawText(QRectF(at - half, plot.bottom() + 3, 2 * half, line), Qt::AlignCenter, text);
-  }
-  if (!chart.xTitle.isEmpty())
-    p.drawText(QRectF(plot.left(), area.bottom() - line, plot.width(), line), Qt::AlignRight, chart.xTitle);
-
-  p.save();
-  p.setClipRect(plot);
-  for (const auto& curve : chart.curves) {
-    const QColor colour = colourOf(curve.colour, t);
-    if (curve.colour == ChartCurve::Colour::dots) {
-      QColor pale = colour;
-      pale.setAlpha(110);
-      p.setPen(Qt::NoPen);
-      p.setBrush(pale);
-      for (const QPointF& point : curve.points)
-        if (std::isfinite(point.x()) && std::isfinite(point.y()))
-          p.drawEllipse(QPointF(px(point.x()), py(point.y())), 1.6, 1.6);
-      p.setBrush(Qt::NoBrush);
-      continue;
-    }
-    QPen pen(colour, 1.5);
-    if (curve.dashed) pen.setDashPattern({3.0, 2.0});
-    p.setPen(pen);
-    QPainterPath path;
-    bool open = false;
-    for (const QPointF& point : curve.points) {
-      if (!std::isfinite(point.x()) || !std::isfinite(point.y()) || (y.log && point.y() <= 0.0) ||
-          (x.log && point.x() <= 0.0)) {
-        open = false;
-        continue;
-      }
-      const QPointF at(px(point.x()), py(point.y()));
-      open ? path.lineTo(at) : path.moveTo(at);
-      open = true;
-      // Filling a stroke takes the longer, the more often it crosses itself: piece by piece it is far quicker. Dashes
-      // need the whole.
-      if (curve.dashed || path.elementCount() < kPiece) continue;
-      p.drawPath(path);
-      path = QPainterPath(at);
-    }
-    p.drawPath(path);
-  }
-  if (chart.marker && std::isfinite(chart.marker->x()) && std::isfinite(chart.marker->y())) {
-    p.setPen(QPen(t.accent, 2));
-    p.setBrush(Qt::NoBrush);
-    p.drawEllipse(QPointF(px(chart.marker->x()), py(chart.marker->y())), 6, 6);
-  }
-  p.restore();
-  p.setPen(QPen(t.line, 1));
-  p.drawRect(plot);
-
-  double right = plot.right();
-  if (legend) {
-    for (auto curve = chart.curves.rbegin(); curve != chart.curves.rend(); ++curve) {
-      if (curve->name.isEmpty()) continue;
-      const double width = metrics.horizontalAdvance(curve->name);
-      p.setPen(t.text2);
-      p.drawText(QRectF(right - width, area.top(), width + 2, line), Qt::AlignLeft, curve->name);
-      QPen pen(colourOf(curve->colour, t), 1.8);
-      if (curve->dashed) pen.setDashPattern({3.0, 2.0});
-      p.setPen(pen);
-      p.drawLine(QPointF(right - width - 24, area.top() + line / 2), QPointF(right - width - 6, area.top() + line / 2));
-      right -= width + 38;
-    }
-  }
-  QFont bold = small;
-  bold.setWeight(QFont::DemiBold);
-  p.setFont(bold);
-  p.setPen(t.text);
-  const QRectF head(area.left(), area.top(), std::max(20.0, right - area.left()), line);
-  p.drawText(head, Qt::AlignLeft, QFontMetricsF(bold).elidedText(chart.yTitle, Qt::ElideRight, head.width()));
-  return {plot, x.low, x.high, y.low, y.high};
+ChartPlace drawChart(QPainter& painter, const QRectF& area, const Chart& chart, const Theme& theme, bool legend) {
+  return ChartPainter(painter, area, chart, theme).draw(legend);
 }
 
 QImage chartImage(const Chart& chart, QSize size, const Theme& t) {

@@ -33,8 +33,8 @@ struct Chart {
   QString nothing;                     ///< Stands there if there are no points.
 };
 
-/// Round numbers from `low` to `high`, about so many or fewer; more where one or two would hardly tell a scale, up to
-/// twice as many and one.
+/// Round numbers from `low` to `high`: at most `about`, unless that leaves fewer than three; never more than
+/// 2 `about` + 1.
 std::vector<double> ticksBetween(double low, double high, int about);
 
 /// Where a point of the chart was drawn, in the painter's pixels.
@@ -55,7 +55,7 @@ class ChartWidget : public QWidget {
   const Chart& chart() const { return chart_; }
 
  signals:
-  /// A click near a dot, which is the so-manieth point of its curve.
+  /// A click near a dot: its index in the curve's points.
   void dotPicked(int index);
 
  protected:

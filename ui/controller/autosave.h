@@ -34,7 +34,7 @@ class Autosave : public QObject {
 
   /// Sessions that programs left behind that are no longer running, newest first.
   QStringList leftBehind() const;
-  /// A session that could not be read: where it lies now, and why.
+  /// A session that could not be read: where it is now, and why.
   struct Unreadable {
     QString file, reason;
   };
@@ -53,7 +53,7 @@ class Autosave : public QObject {
 
   QString file() const { return file_; }
   QDateTime lastSaved() const { return lastSaved_; }
-  /// Writes at once if anything changed. Where that fails it is tried again now and then.
+  /// Writes at once if anything changed. If that fails, it is retried from time to time.
   void flush();
 
  signals:

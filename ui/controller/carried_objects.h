@@ -1,5 +1,5 @@
 #pragma once
-// What the tool carries in the shown recording, once somebody has asked for it.
+// The object that the tool carries in the shown recording, once the user has asked for it.
 #include <QObject>
 #include <QString>
 #include <memory>
@@ -25,7 +25,7 @@ class CarriedObjects : public QObject {
 
   /// It was asked for, and is answered or being worked on.
   bool asked() const { return asked_; }
-  /// Null while there is none.
+  /// Null if there is none.
   std::shared_ptr<const CarriedObject> object() const { return object_; }
   /// The recording without the object; empty: it is picked up in the shown one.
   QString without() const { return without_; }

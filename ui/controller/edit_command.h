@@ -10,7 +10,7 @@ template <class T>
 class EditCommand : public QUndoCommand {
  public:
   using Apply = std::function<void(const T&)>;
-  /// `kind` tells parts apart; edits of one kind with the same mergeKey above 0 become one.
+  /// `kind` identifies the part that is edited; edits of one kind with the same mergeKey above 0 become one.
   EditCommand(const QString& text, int kind, int mergeKey, T before, T after, Apply apply)
       : QUndoCommand(text),
         kind_(kind),

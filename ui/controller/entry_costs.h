@@ -1,5 +1,5 @@
 #pragma once
-// What today's entry at the controller costs in the shown recording, for every step that tells of it.
+// What the controller's current entry costs in the shown recording, for every step that shows it.
 #include <QObject>
 #include <QString>
 #include <memory>
@@ -23,7 +23,7 @@ class EntryCosts : public QObject {
     QString source;          ///< File, or the recording's fields; empty: typed in
     bool byRecording = false;
   };
-  /// The user's, else the recording's; nothing where neither tells a mass.
+  /// The user's, else the recording's; nothing where neither states a mass.
   std::optional<Entry> entry() const;
   /// Null while it is not known.
   std::shared_ptr<const EntryCost> cost() const { return cost_; }

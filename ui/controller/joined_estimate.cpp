@@ -23,7 +23,7 @@ Result<std::shared_ptr<EstimateReport>> estimatedAlone(const Snapshot& of, const
 
 QString fileOf(const Snapshot& of) { return QFileInfo(of.opened->path).fileName(); }
 
-/// What the joint report says of the whole, and not of its first recording.
+/// What the joint report says about all recordings, not only about the first.
 bool isOfAll(const Finding& finding) {
   return finding.code == "different_tool" || finding.code == "recording_not_understood" ||
          finding.code == "low_trust_of_one";
@@ -72,7 +72,7 @@ Result<bool> join(const std::vector<Snapshot>& of, const std::vector<std::size_t
       findings.insert(findings.end(), ofAll.begin(), ofAll.end());
       if (trust > piece.report.trust)
         std::tie(piece.report.trust, piece.report.whyNoTrust, piece.report.whatToDo) = std::tuple(trust, why, whatToDo);
-      // Which one it is stands by its name: numbers of a list tell nobody anything here.
+      // By its name: an index into the list would mean nothing to the reader.
       for (const QString& file : doubted)
         if (file != fileOf(of[members[m]]))
           findings.push_back({Severity::warning,

@@ -13,7 +13,7 @@ namespace heft {
 
 namespace {
 
-/// A file whose columns can be listed can be told what they are.
+/// Where the columns can be listed, the user can say what they are.
 ReadCure cureOf(const std::filesystem::path& file, const Progress& progress) {
   const auto contents = inspectRecording(file, {}, progress);
   if (!contents) return ReadCure::none;

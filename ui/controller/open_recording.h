@@ -6,7 +6,7 @@
 
 namespace heft {
 
-/// `cure` is told where it fails.
+/// If it fails, `cure` says what the user can do.
 Result<std::shared_ptr<const OpenRecording>> loadRecording(const QString& path, const Progress& progress,
                                                            ReadCure& cure);
 

@@ -18,7 +18,7 @@ bool leftOutAlready(const DiagnosedCause& cause, const std::vector<Segment>& seg
       if (segment.label != MarkLabel::free)
         left += std::max(0.0, std::min(to, segment.to) - std::max(from, segment.from));
   }
-  constexpr double kNearlyAll = 0.85;  // The edges of a contact are told a little differently.
+  constexpr double kNearlyAll = 0.85;  // The two do not agree exactly on where a contact begins and ends.
   return touched > 0 && left > kNearlyAll * touched;
 }
 

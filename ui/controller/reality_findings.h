@@ -1,5 +1,5 @@
 #pragma once
-// What the reality check found in each open recording, for every step that has to tell of it.
+// What the reality check found in each open recording, for every step that reports it.
 #include <Eigen/Core>
 #include <QMap>
 #include <QObject>
@@ -17,9 +17,9 @@ namespace heft {
 
 /// Two explanations or more fit equally well.
 bool isTied(const DiagnosedCause& cause);
-/// A contact whose stretches the estimate leaves out anyway, by the marks or by Heft's own suggestion.
+/// A contact whose segments the estimate leaves out anyway, because of labels or Heft's own suggestion.
 bool leftOutAlready(const DiagnosedCause& cause, const std::vector<Segment>& segments);
-/// It made the error smaller on stretches that it was not fitted to, or needs no such proof.
+/// It made the error smaller on segments that it was not fitted to, or needs no such proof.
 bool helpsUnseen(const DiagnosedCause& cause);
 
 /// What a rigid tool leaves unexplained, as the setup file has it and as physics reads it.
@@ -39,7 +39,7 @@ class RealityFindings : public QObject {
     std::optional<ReadingCurves> curves;  ///< Where the numbers do not mean what the setup file says
     std::string json;                     ///< heft.diagnose/1
     std::vector<Mark> marks;              ///< That it was made with.
-    std::string guess;                    ///< Of a practice recording, when it was told what is hidden
+    std::string guess;                    ///< Of a practice recording, once the solution was shown
     std::string tried;                    ///< The first guess, if it was wrong
     bool hinted = false;                  ///< A hint was asked for.
     bool secret = false;                  ///< Of a practice recording that is still to be guessed

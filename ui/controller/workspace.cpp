@@ -141,7 +141,7 @@ void Workspace::loadNext() {
       tr("Opening %1").arg(QFileInfo(path).fileName()),
       [path, cure](const Progress& progress) { return loadRecording(path, progress, *cure); },
       [this, path, cure, sessions = sessions_](Result<std::shared_ptr<const OpenRecording>> result) {
-        if (sessions != sessions_) return;  // Of a session that was closed meanwhile.
+        if (sessions != sessions_) return;  // It belongs to a session that has been closed since.
         if (result) {
           loaded(path, *result);
         } else {

@@ -15,7 +15,7 @@
 #include "core/robot/robot_model.h"
 #include "core/workspace/session.h"
 #include "ui/jobs/job_runner.h"
-#include "ui/robot_view/robot_look.h"
+#include "ui/robot_look/robot_look.h"
 
 namespace heft {
 
@@ -24,7 +24,7 @@ struct OpenRecording {
   QString path;
   Recording recording;
   std::shared_ptr<const RobotModel> robot;  ///< Null where the recording names none (it carries poses).
-  std::shared_ptr<const RobotLook> look;    ///< Null likewise.
+  std::shared_ptr<const RobotLook> look;    ///< Null in that case, too.
   Findings findings;                        ///< Of reading and of the robot.
   double readSeconds = 0.0;
 };
@@ -37,7 +37,7 @@ enum class ReadCure {
 };
 
 /// What an estimate or a diagnosis reads, detached from the window: the recording with the user's marks in it, and the
-/// options that the session asks for. Cheap to copy; recording() copies the series and belongs into the job.
+/// options that the session asks for. Cheap to copy; recording() copies the series, so call it in the job.
 struct Snapshot {
   std::shared_ptr<const OpenRecording> opened;
   std::vector<Mark> marks;  ///< Painted, laid over the file's own.
@@ -50,7 +50,7 @@ struct Snapshot {
   const RobotModel* robot() const { return opened->robot.get(); }
 };
 
-/// One a recording.
+/// One per recording.
 using SharedReports = std::vector<std::shared_ptr<const EstimateReport>>;
 
 class Workspace : public QObject {
@@ -91,7 +91,7 @@ class Workspace : public QObject {
   /// Replaces what is open, for instance with a recovered session.
   void takeSession(Session session);
 
-  /// Null while there is none.
+  /// Null if there is none.
   std::shared_ptr<const OpenRecording> opened() const;
   std::shared_ptr<const EstimateReport> report() const;
   /// Of any recording of the session; null while it is not read or not estimated.
@@ -102,7 +102,7 @@ class Workspace : public QObject {
   Snapshot snapshot() const { return snapshotOf(session_.active); }
   /// The report's segments, painted marks laid over them at once.
   std::vector<Segment> segments() const;
-  /// Heft proposes this stretch and the user has not decided it yet.
+  /// Heft suggests this segment, and the user has not decided yet.
   bool suggested(const Segment& segment) const;
 
   bool busy() const { return jobs_.running() || due_.isActive(); }
@@ -114,7 +114,7 @@ class Workspace : public QObject {
   // Edits. Each is one undo step called `text`; edits with the same `mergeKey` above 0 in a row become one step (a
   // drag: take a new key from newMergeKey() when it begins).
 
-  /// Marks a stretch of the shown recording; without a label it becomes Heft's suggestion again.
+  /// Marks a segment of the shown recording; without a label it becomes Heft's suggestion again.
   void paint(double from, double to, std::optional<MarkLabel> label, int mergeKey = 0);
   void setMarks(const std::vector<Mark>& marks, const QString& text, int mergeKey = 0);
   void setShape(const ShapeChoice& shape, const QString& text, int mergeKey = 0);
@@ -137,7 +137,7 @@ class Workspace : public QObject {
   void recordingsChanged();
   /// Another recording is shown, or none.
   void openedChanged();
-  /// The report is null while there is none for the open recording.
+  /// The report is null if there is none for the open recording.
   void reportChanged();
   void marksChanged();
   void shapeChanged();
@@ -149,7 +149,7 @@ class Workspace : public QObject {
   void proofChanged();
   /// Anything in the session changed, results included.
   void sessionChanged();
-  /// busy() would answer differently.
+  /// busy() has changed.
   void busyChanged();
   void saved(const QString& file);
   /// One sentence for a person.
@@ -175,10 +175,10 @@ class Workspace : public QObject {
   Snapshot snapshotOf(int index) const;
   /// Takes over what a job estimated, in the order of `of`.
   void takeReports(const std::vector<Snapshot>& of, const Result<SharedReports>& result);
-  /// Puts a recording into the list, or takes it out; the shown one stays shown where that is possible.
+  /// Adds a recording to the list or removes one; the shown one stays shown if possible.
   void insertEntry(int index, const SessionRecording& recording, const Entry& entry);
   void removeEntry(int index);
-  /// Tells of the list and estimates what that makes new: where all give one result, it is another one now.
+  /// Reports that the list has changed, and estimates again what that affects: a joint result, if there is one.
   void listEdited();
 
   /// One undoable change of a part of the session.
@@ -186,7 +186,7 @@ class Workspace : public QObject {
   void edit(T Session::*part, T after, const QString& text, int mergeKey, void (Workspace::*changed)(), bool estimates);
 
   Session session_;
-  std::vector<Entry> entries_;  ///< One a recording of the session.
+  std::vector<Entry> entries_;  ///< One per recording of the session.
   QStringList queue_;           ///< Still to be read.
   bool loading_ = false;        ///< The job under way reads a file of the queue.
   int showAfter_ = -1;          ///< Recording of a session to show when all are read.

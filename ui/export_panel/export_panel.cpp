@@ -15,6 +15,7 @@
 #include <QPushButton>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include "core/base/json_file.h"
 #include "ui/controller/only_child.h"
@@ -25,7 +26,7 @@
 #include "ui/export_panel/file_preview.h"
 #include "ui/export_panel/mounted_list.h"
 #include "ui/export_panel/proof_card.h"
-#include "ui/reality_panel/open_question.h"
+#include "ui/reality_cards/open_question.h"
 #include "ui/widgets/basics.h"
 #include "ui/widgets/choice_card.h"
 #include "ui/widgets/segments.h"
@@ -447,9 +448,7 @@ std::optional<Result<bool>> ExportPanel::obey(const QStringList& words) {
   if (auto obeyed = proof_->obey(words)) return obeyed;
   if (words[0] != "export") return std::nullopt;
   const bool replace = words.size() == 4 && words[3] == "replace";
-  if (words.size() != 3 && !replace)
-    return Result<bool>(Error{
-        tr("export expects a format and a file, and may end in replace: export franka-desk tool.json").toStdString()});
+  if (words.size() != 3 && !replace) return std::nullopt;
   if (!findExportFormat(words[1].toStdString()))
     return Result<bool>(Error{tr("There is no format %1; heft export --help lists them.").arg(words[1]).toStdString()});
   if (!workspace().report()) return Result<bool>(Error{tr("export needs a result.").toStdString()});

@@ -37,14 +37,14 @@ struct Check {
 std::vector<Check> checksBeforeSaving(const EstimateReport& report, const Payload& onFlange, const Findings& findings,
                                       const ExportChoice& choice, const ExportFormat& format);
 
-/// Indices of the lines that hold numbers which the motion did not tell; `what` is shown beside the first.
+/// Indices of the lines that contain numbers that the motion did not determine; `what` is shown beside the first.
 std::vector<int> doubtfulLines(const QStringList& lines, const EstimateReport& report);
 
 /// A part of this mass [kg] whose centre lies at `p_FPcm_F` [m], taken as a compact ball of aluminium: for mounted
 /// parts of which only weight and place are known.
 Payload compactPart(double mass, const Vector3d& p_FPcm_F);
 
-/// Mass of a sensor's body from its model name, where a data sheet tells it [kg].
+/// Mass of a sensor's body from its model name, if a data sheet states it [kg].
 std::optional<double> sensorBodyMass(const std::string& model);
 
 }  // namespace heft

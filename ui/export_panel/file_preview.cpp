@@ -11,6 +11,7 @@
 #include <QSyntaxHighlighter>
 #include <QTextBlock>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include "ui/theme/icons.h"
 #include "ui/theme/theme.h"

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <QVariant>
 #include <nlohmann/json.hpp>
 
 #include "core/compensation/proof.h"
@@ -199,7 +200,7 @@ ScriptForms ProofCard::scriptForms() {
 
 std::optional<Result<bool>> ProofCard::obey(const QStringList& words) {
   if (words[0] == "prove") {
-    if (words.size() != 2) return Result<bool>(sentence(tr("prove expects a recording, or live: prove check.csv.")));
+    if (words.size() != 2) return std::nullopt;
     return words[1] == "live" ? proveLive() : prove(words[1]);
   }
   if (words[0] != "passport") return std::nullopt;
@@ -215,10 +216,7 @@ std::optional<Result<bool>> ProofCard::obey(const QStringList& words) {
     else
       understood = false;
   }
-  if (!understood)
-    return Result<bool>(
-        sentence(tr("passport expects a file, and may end in tool NAME, since FILE, replace: passport "
-                    "gripper.pdf tool Gripper since old.json.")));
+  if (!understood) return std::nullopt;
   return savePassport(words[1], tool, before, replace);
 }
 

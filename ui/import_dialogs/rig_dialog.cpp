@@ -65,62 +65,9 @@ RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta,
   form->addRow(wrappedLabel(tr("Errors here affect all results. If you are unsure about the mounting, leave it: the "
                                "reality check can detect it."),
                             "answer", this));
-  const auto choice = [&](const char* name, const QString& title, const QString& tip) {
-    return makeChoice(name, title, tip, 20, this);
-  };
-  robot_ = choice("rigRobot", tr("Robot"), tr("The arm whose joints were recorded"));
-  robot_->addItems({tr("Franka Panda"), tr("Another arm (URDF)"), tr("None: poses only")});
-  form->addRow(tr("Robot"), robot_);
-  urdf_ = new QLineEdit(this);
-  urdf_->setObjectName("rigUrdf");
-  urdf_->setAccessibleName(tr("Description of the robot (URDF)"));
-  urdf_->setToolTip(tr("The file with the robot’s joints and links"));
-  auto* choose = new IconButton("folder", tr("Choose the description of the robot"), this);
-  connect(choose, &QToolButton::clicked, this, &RigDialog::chooseUrdf);
-  urdfRow_ = new QWidget(this);
-  auto* urdfLine = new QHBoxLayout(urdfRow_);
-  urdfLine->setContentsMargins(0, 0, 0, 0);
-  urdfLine->addWidget(urdf_, 1);
-  urdfLine->addWidget(choose);
-  form->addRow(tr("Its URDF"), urdfRow_);
-  link_ = choice("rigLink", tr("Sensor mounted on"), tr("The link of the arm that carries the sensor"));
-  link_->setEditable(true);
-  form->addRow(tr("Sensor mounted on"), link_);
-  const QString axes[] = {"x", "y", "z"};
-  const QString turns[] = {tr("roll"), tr("pitch"), tr("yaw")};
-  for (int a = 0; a < 3; ++a) {
-    xyz_[a] = makeNumber("rigXyz", tr("Sensor’s origin from the link, %1").arg(axes[a]), tr(" mm"), 2000, 2, this);
-    rpy_[a] = makeNumber(
-        "rigRpy", tr("Sensor’s rotation from the link, %1 (roll, then pitch, then yaw about fixed axes)").arg(turns[a]),
-        tr(" °"), 360, 2, this);
-    gravity_[a] = makeNumber("rigGravity", tr("Gravity along the base’s %1").arg(axes[a]), tr(" m/s²"), 20, 3, this);
-    xyz_[a]->setValue(1e3 * meta.mount.xyz(a));
-    rpy_[a]->setValue(meta.mount.rpy(a) / kRadPerDegree);
-    gravity_[a]->setValue(meta.gravity(a));
-  }
-  form->addRow(setupWords("xyz_m").title, inOneRow(xyz_, this));
-  form->addRow(setupWords("rpy_rad").title, inOneRow(rpy_, this));
-  const auto ask = [&](const char* name, const char* key) {
-    const SetupWords words = setupWords(key);
-    QComboBox* box = choice(name, words.title, words.tip);
-    box->addItems(words.choices());
-    form->addRow(words.title, box);
-    return box;
-  };
-  sign_ = ask("rigSign", "wrench_sign");
-  sign_->setCurrentIndex(meta.wrenchSign == WrenchSign::payloadOnSensor ? 1 : 0);
-  stand_ = choice("rigStand", tr("Robot mounting"), tr("Which way gravity pulls at its base"));
-  stand_->addItems({tr("upright"), tr("hanging from the ceiling"), tr("other")});
-  form->addRow(tr("Robot mounting"), stand_);
-  gravityRow_ = inOneRow(gravity_, this);
-  form->addRow(setupWords("gravity_m_s2").title, gravityRow_);
-  kind_ = ask("rigKind", "kind");
-  kind_->setCurrentIndex(meta.kind == RecordingKind::poses ? 1 : 0);
-  model_ = new QLineEdit(QString::fromStdString(meta.sensorModel), this);
-  model_->setObjectName("rigModel");
-  model_->setAccessibleName(tr("Sensor model"));
-  model_->setToolTip(tr("For your own reference only"));
-  form->addRow(tr("Sensor model"), model_);
+  addRobot(form);
+  addMount(form, meta);
+  addSetup(form, meta);
   conventions_ = new ConventionsForm(meta.conventions, this);
   connect(conventions_, &ConventionsForm::folded, this, &RigDialog::fit);
   form->addRow(conventions_);
@@ -137,7 +84,6 @@ RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta,
   connect(buttons, &QDialogButtonBox::accepted, this, &RigDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   form->addRow(buttons);
-
   if (meta.robot && *meta.robot != "panda") urdf_->setText(QString::fromStdString(*meta.robot));
   robot_->setCurrentIndex(!meta.robot ? noRobot : *meta.robot == "panda" ? panda : ownArm);
   connect(robot_, QOverload<int>::of(&QComboBox::activated), this, [this](int now) {
@@ -151,6 +97,68 @@ RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta,
   connect(stand_, QOverload<int>::of(&QComboBox::activated), this, &RigDialog::gravityChanged);
   robotChanged();
   gravityChanged();
+}
+
+void RigDialog::addRobot(QFormLayout* form) {
+  robot_ = makeChoice("rigRobot", tr("Robot"), tr("The arm whose joints were recorded"), 20, this);
+  robot_->addItems({tr("Franka Panda"), tr("Another arm (URDF)"), tr("None: poses only")});
+  form->addRow(tr("Robot"), robot_);
+  urdf_ = new QLineEdit(this);
+  urdf_->setObjectName("rigUrdf");
+  urdf_->setAccessibleName(tr("Description of the robot (URDF)"));
+  urdf_->setToolTip(tr("The file with the robot’s joints and links"));
+  auto* choose = new IconButton("folder", tr("Choose the description of the robot"), this);
+  connect(choose, &QToolButton::clicked, this, &RigDialog::chooseUrdf);
+  urdfRow_ = new QWidget(this);
+  auto* urdfLine = new QHBoxLayout(urdfRow_);
+  urdfLine->setContentsMargins(0, 0, 0, 0);
+  urdfLine->addWidget(urdf_, 1);
+  urdfLine->addWidget(choose);
+  form->addRow(tr("Its URDF"), urdfRow_);
+  link_ = makeChoice("rigLink", tr("Sensor mounted on"), tr("The link of the arm that carries the sensor"), 20, this);
+  link_->setEditable(true);
+  form->addRow(tr("Sensor mounted on"), link_);
+}
+
+void RigDialog::addMount(QFormLayout* form, const RecordingMeta& meta) {
+  const QString axes[] = {"x", "y", "z"};
+  const QString turns[] = {tr("roll"), tr("pitch"), tr("yaw")};
+  for (int a = 0; a < 3; ++a) {
+    xyz_[a] = makeNumber("rigXyz", tr("Sensor’s origin from the link, %1").arg(axes[a]), tr(" mm"), 2000, 2, this);
+    rpy_[a] = makeNumber(
+        "rigRpy", tr("Sensor’s rotation from the link, %1 (roll, then pitch, then yaw about fixed axes)").arg(turns[a]),
+        tr(" °"), 360, 2, this);
+    gravity_[a] = makeNumber("rigGravity", tr("Gravity along the base’s %1").arg(axes[a]), tr(" m/s²"), 20, 3, this);
+    xyz_[a]->setValue(1e3 * meta.mount.xyz(a));
+    rpy_[a]->setValue(meta.mount.rpy(a) / kRadPerDegree);
+    gravity_[a]->setValue(meta.gravity(a));
+  }
+  form->addRow(setupWords("xyz_m").title, inOneRow(xyz_, this));
+  form->addRow(setupWords("rpy_rad").title, inOneRow(rpy_, this));
+}
+
+void RigDialog::addSetup(QFormLayout* form, const RecordingMeta& meta) {
+  const auto ask = [&](const char* name, const char* key) {
+    const SetupWords words = setupWords(key);
+    QComboBox* box = makeChoice(name, words.title, words.tip, 20, this);
+    box->addItems(words.choices());
+    form->addRow(words.title, box);
+    return box;
+  };
+  sign_ = ask("rigSign", "wrench_sign");
+  sign_->setCurrentIndex(meta.wrenchSign == WrenchSign::payloadOnSensor ? 1 : 0);
+  stand_ = makeChoice("rigStand", tr("Robot mounting"), tr("Which way gravity pulls at its base"), 20, this);
+  stand_->addItems({tr("upright"), tr("hanging from the ceiling"), tr("other")});
+  form->addRow(tr("Robot mounting"), stand_);
+  gravityRow_ = inOneRow(gravity_, this);
+  form->addRow(setupWords("gravity_m_s2").title, gravityRow_);
+  kind_ = ask("rigKind", "kind");
+  kind_->setCurrentIndex(meta.kind == RecordingKind::poses ? 1 : 0);
+  model_ = new QLineEdit(QString::fromStdString(meta.sensorModel), this);
+  model_->setObjectName("rigModel");
+  model_->setAccessibleName(tr("Sensor model"));
+  model_->setToolTip(tr("For your own reference only"));
+  form->addRow(tr("Sensor model"), model_);
 }
 
 /// As high as its texts need. adjustSize() stops at two thirds of the screen, which cuts the buttons of a small one.

@@ -7,6 +7,7 @@
 
 #include "core/recording/recording.h"
 
+class QFormLayout;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -31,6 +32,9 @@ class RigDialog : public QDialog {
   void showEvent(QShowEvent* event) override;
 
  private:
+  void addRobot(QFormLayout* form);
+  void addMount(QFormLayout* form, const RecordingMeta& meta);
+  void addSetup(QFormLayout* form, const RecordingMeta& meta);
   void fit();
   enum Robot { panda, ownArm, noRobot };
   void robotChanged();

@@ -1,5 +1,5 @@
 #pragma once
-// Long work off the GUI thread: it gets a snapshot, tells how far it is, and can be stopped.
+// Long work off the GUI thread: it works on a snapshot, reports its progress, and can be cancelled.
 #include <QObject>
 #include <QString>
 #include <QTimer>

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kKept = 2.5;           ///< [s] of samples for the simulated wrench
 constexpr double kSimulateEvery = 0.4;  ///< [s]
-constexpr double kEdge = 0.3;           ///< [s] at the ends of a stretch, where smoothing is worst
+constexpr double kEdge = 0.3;           ///< [s] at the ends of a segment, where smoothing is worst
 constexpr std::size_t kMostKnown = 400, kMostPath = 1500, kMostTouched = 200;
 constexpr double kShortestTouch = 0.1;  ///< [s]
 constexpr double kNoticed = 0.6;        ///< [s] A touch is noticed about so late.

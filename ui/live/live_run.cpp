@@ -37,7 +37,7 @@ Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
     if (!QDir().mkpath(setup.folder))
       return Error{tr("The folder %1 for recordings cannot be created.").arg(setup.folder).toStdString()};
     file = freeFile(setup.folder, setup.name, QStringLiteral("csv"));
-    // Without a robot the first samples tell that it is a Panda, which the meta then has to say, too.
+    // If no robot is stated, the first samples show that it is a Panda; the meta file must then say so, too.
     if (auto recorded = session->record(file.toStdString(), setup.meta); !recorded) return recorded.error();
   }
   if (auto running = session->start(); !running) {
@@ -103,7 +103,7 @@ void LiveRun::pass(double seconds) {
   pump();
 }
 
-/// The robot and the learner, once a sample tells whether there are joints.
+/// The robot and the learner, once a sample shows whether there are joint angles.
 bool LiveRun::prepare() {
   if (learner_) return true;
   std::vector<LiveSample> samples;
@@ -115,7 +115,7 @@ bool LiveRun::prepare() {
     auto robot = robotFor(meta_, findings);
     if (!robot) return stop(), emit failed(QString::fromStdString(robot.error().message)), false;
     robot_ = std::make_shared<const RobotModel>(std::move(*robot));
-    // At once: a recording that is cut off has to tell it, too.
+    // At once, so that an interrupted recording states it, too.
     if (!file_.isEmpty()) (void)writeMeta(meta_, metaFileOf(file_.toStdString()));
   }
   if (samples.front().q && samples.front().joints != robot_->dof()) {
@@ -148,7 +148,7 @@ void LiveRun::pump() {
     return emit failed(QString::fromStdString(source.text));
   }
   if (!prepare()) {
-    // Whoever waits for the first sample is told how the sources are.
+    // While waiting for the first sample, the user sees the state of the sources.
     if (session_) emit refreshed();
     return;
   }
@@ -262,7 +262,7 @@ QString LiveRun::stop() {
     }
     file.clear();
   }
-  // What the first samples told about the robot belongs to the recording.
+  // What the first samples showed about the robot belongs in the recording.
   if (!file.isEmpty()) {
     if (auto written = writeMeta(meta_, metaFileOf(file.toStdString())); !written)
       emit failed(QString::fromStdString(written.error().message));
@@ -277,11 +277,11 @@ Result<QString> LiveRun::keep() {
   if (!session_) return QString();
   const bool poses = poses_;
   const Recording kept = poses ? poseRecording() : Recording();
-  const QString file = stop();
+  QString file = stop();
   if (!poses || kept.rows() < 2) return file;
   if (!QDir().mkpath(folder_))
     return Error{tr("The folder %1 for recordings cannot be created.").arg(folder_).toStdString()};
-  const QString path = freeFile(folder_, name_, QStringLiteral("csv"));
+  QString path = freeFile(folder_, name_, QStringLiteral("csv"));
   if (auto written = writeRecording(kept, path.toStdString()); !written) return written.error();
   return path;
 }

@@ -24,7 +24,7 @@ struct LiveOrigin {
   std::vector<std::string> addresses;  ///< Of the sources; empty for the virtual arm
   RecordingMeta meta;                  ///< As the rig file says
   std::filesystem::path replayMeta;    ///< For a recording that is played: the rig file; empty: its own setup file
-  bool mountAssumed = false;           ///< Nobody said how the sensor sits on the flange.
+  bool mountAssumed = false;           ///< How the sensor is mounted on the flange was not stated.
 };
 
 struct LiveSetup {

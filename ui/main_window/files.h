@@ -36,7 +36,7 @@ class Files : public QObject {
   void open(const QStringList& paths);
   /// Robot and sensor of a recording, in a dialog; what is said goes into its setup file. Empty: the one that is open.
   void editRig(const QString& recording = {});
-  /// Which of its columns is what, likewise; goes into its map file.
+  /// The meaning of its columns, also in a dialog; saved in its map file.
   void editSources(const QString& recording = {});
   QStringList recent() const;
   void remember(const QString& path);

@@ -81,7 +81,7 @@ void HeaderBar::setFileName(const QString& name, const QString& path) {
 
 void HeaderBar::placeFileName() {
   const int left = menus_->geometry().right() + 16, room = undo_->x() - 16 - left;
-  // Its end tells more than its middle, and both more than a cut.
+  // The end of a name is more informative than its middle: elide there rather than cut it off.
   file_->setText(file_->fontMetrics().elidedText(name_, Qt::ElideMiddle, std::max(0, room - 8)));
   const int wanted = std::min(file_->sizeHint().width() + 8, std::max(0, room));
   // In the middle of the window where the menus leave room for that.

@@ -6,15 +6,14 @@
 #include <vector>
 
 #include "ui/jobs/job_runner.h"
+#include "ui/main_window/arrangement.h"
 #include "ui/models/units.h"
-#include "ui/robot_view/robot_look.h"
+#include "ui/robot_look/robot_look.h"
 #include "ui/steps/step_panel.h"
 #include "ui/theme/theme.h"
 #include "ui/timeline/playback.h"
 
 class QMenu;
-class QSplitter;
-class QStackedWidget;
 
 namespace heft {
 
@@ -49,7 +48,7 @@ class MainWindow : public QMainWindow {
   void showStep(Step step);
   Step step() const { return step_; }
 
-  /// Which languages the menu offers, and which one is in force.
+  /// Which languages the menu offers, and which one is active.
   void setLanguages(const QStringList& codes, const QString& current);
   /// Recordings under way are ended and kept; nothing is asked.
   void keepUnderWay();
@@ -69,9 +68,9 @@ class MainWindow : public QMainWindow {
   /// Opens a sample and leads through the steps with it.
   void startTour();
   /// One pane beside header and steps, without the rest; nothing: all of them again.
-  enum class Alone { nothing, view, below };
+  using Alone = Arrangement::Alone;
   void showAlone(Alone what);
-  Alone alone() const { return alone_; }
+  Alone alone() const { return arrangement_->alone(); }
   /// The whole window as it looks now, 3D included.
   QImage picture();
 
@@ -98,15 +97,11 @@ class MainWindow : public QMainWindow {
   void showReport();
   void showEstimated();
   void showMarks();
-  void showSaved();
   void showName();
   void showFacts();
-  void offerUnfinished();
   void loadArm();
   void arrangeFor(StepPanel* panel);
-  void keepOnScreen();
-  void focusNextPart(int by);
-  void keepSizes();
+  QVector<QWidget*> tabParts() const;
   void pressEnter();
   void editPreferences();
 
@@ -119,25 +114,18 @@ class MainWindow : public QMainWindow {
   JobRunner lookJobs_;  ///< Loads the arm that stands there before a recording is open.
   std::vector<JobRunner*> followed_;
   Files* files_;
-  Autosave* autosave_ = nullptr;
   HeaderBar* header_ = nullptr;
   StepBar* steps_ = nullptr;
   MessageBar* message_ = nullptr;
   Tour* tour_ = nullptr;
+  Arrangement* arrangement_ = nullptr;
   RobotView* view_ = nullptr;
   RecordingPane* pane_ = nullptr;
   StatusBar* status_ = nullptr;
-  QSplitter* across_ = nullptr;
-  QSplitter* down_ = nullptr;
-  QStackedWidget* below_ = nullptr;
-  QStackedWidget* panelStack_ = nullptr;
   Manual* manual_ = nullptr;
   QMenu* languages_ = nullptr;
   bool arranged_ = false;
-  Alone alone_ = Alone::nothing;
   QMap<Step, StepPanel*> panels_;
-  QMap<Step, int> panelWidths_;    ///< Each step keeps its own, whatever the window's width is by then;
-  QMap<Step, double> viewShares_;  ///< and the 3D view's share of the height.
 };
 
 }  // namespace heft

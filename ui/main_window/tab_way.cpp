@@ -1,6 +1,7 @@
 #include "ui/main_window/tab_way.h"
 
 #include <QAbstractButton>
+#include <QApplication>
 #include <QButtonGroup>
 #include <QScrollArea>
 #include <QWidget>
@@ -67,6 +68,30 @@ QVector<QWidget*> tabWay(const QWidget& window, const QVector<QWidget*>& parts) 
     for (; row != end; ++row) way.push_back(row->widget);
   }
   return way;
+}
+
+bool focusNext(const QWidget& window, const QVector<QWidget*>& parts, bool next) {
+  const QVector<QWidget*> way = tabWay(window, parts);
+  if (way.isEmpty()) return false;
+  const int at = way.indexOf(QApplication::focusWidget()), count = way.size();
+  const int to = at < 0 ? (next ? 0 : count - 1) : (at + (next ? 1 : count - 1)) % count;
+  way[to]->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+  for (QWidget* p = way[to]->parentWidget(); p; p = p->parentWidget())
+    if (auto* area = qobject_cast<QScrollArea*>(p)) area->ensureWidgetVisible(way[to]);
+  return true;
+}
+
+void focusNextPart(const QWidget& window, const QVector<QWidget*>& parts, int by) {
+  const int count = static_cast<int>(parts.size());
+  int at = 0;
+  for (int k = 0; k < count; ++k)
+    if (parts[k]->isAncestorOf(QApplication::focusWidget())) at = k;
+  for (int k = 1; k <= count; ++k) {
+    QWidget* part = parts[((at + by * k) % count + count) % count];
+    if (!part->isVisible()) continue;
+    for (QWidget* each : tabWay(window, {part}))
+      if (part->isAncestorOf(each)) return each->setFocus(Qt::TabFocusReason);
+  }
 }
 
 }  // namespace heft

@@ -208,7 +208,7 @@ void MarkPanel::addSuggestion(QVBoxLayout* column, const Segment& segment, bool 
   sure->addWidget(styledLabel(tr("Confidence"), "caption", content));
   sure->addWidget(styledLabel(confidenceWord(segment.confidence), "captionBold", content));
   sure->addWidget(new ConfidenceBar(segment.confidence, content));
-  // Never a certainty: nobody looked.
+  // Never stated as certain: nobody has checked it.
   sure->addWidget(
       styledLabel(tr("%1 %").arg(numberText(std::min(99.0, 100 * segment.confidence), 0)), "caption", content));
   sure->addStretch(1);
@@ -399,7 +399,7 @@ bool MarkPanel::keyPressed(QKeyEvent* event) {
 }
 
 ScriptForms MarkPanel::scriptForms() {
-  return {{"mark FROM TO LABEL", "free, contact, ignore or suggested"}, {"accept", "accept all suggested marks"}};
+  return {{"mark FROM TO free|contact|ignore|suggested", "a segment [s]"}, {"accept", "accept all suggested marks"}};
 }
 
 std::optional<Result<bool>> MarkPanel::obey(const QStringList& words) {
@@ -412,10 +412,8 @@ std::optional<Result<bool>> MarkPanel::obey(const QStringList& words) {
   const double from = words.value(1).toDouble(&first), to = words.value(2).toDouble(&second);
   const QString word = words.value(3);
   const auto label = markLabelFromString(word.toStdString());
-  if (words.size() != 4 || !first || !second || !(to > from) || (!label && word != "suggested"))
-    return Result<bool>(
-        Error{tr("mark expects FROM TO and free, contact, ignore or suggested, for instance: mark 2.5 4 contact")
-                  .toStdString()});
+  if (words.size() != 4 || !first || !second || (!label && word != "suggested")) return std::nullopt;
+  if (!(to > from)) return Result<bool>(Error{tr("A segment has to end after it begins.").toStdString()});
   if (!workspace().opened()) return Result<bool>(Error{tr("mark needs an open recording.").toStdString()});
   workspace().paint(from, to, label);
   return Result<bool>(true);

@@ -1,5 +1,6 @@
 #pragma once
-// The step "Mark": which stretches touched nothing. Heft proposes, the user decides or paints over it.
+// The step "Mark": which segments are free of contact. Heft makes suggestions; the user accepts them or paints over
+// them.
 #include <QColor>
 #include <optional>
 #include <utility>
@@ -46,7 +47,7 @@ class MarkPanel : public StepPanel {
   void decide(const Segment& segment, MarkLabel label);
   void acceptAll();
   void select(double from, double to);
-  /// The stretch under the time cursor.
+  /// The segment under the time cursor.
   std::optional<Segment> segmentNow() const;
   std::pair<std::vector<Segment>, std::vector<bool>> shown() const;
 
@@ -54,7 +55,7 @@ class MarkPanel : public StepPanel {
   bool here_ = false;
   QColor drawnIn_;  ///< The theme's text colour when that was last asked.
   Segments* brushes_ = nullptr;
-  bool details_ = false;  ///< Why each stretch is what it is
+  bool details_ = false;  ///< The reason for each label
   int trimKey_ = 0;       ///< Steps of one change are one edit.
 };
 

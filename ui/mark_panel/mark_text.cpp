@@ -11,7 +11,7 @@ struct Words {
   Q_DECLARE_TR_FUNCTIONS(MarkText)
 };
 
-/// Below this nothing about the tool can be told from the noise and the sensor's zero [s].
+/// With less than this, the tool cannot be distinguished from noise and bias [s].
 constexpr double kEnough = 3.0;
 
 }  // namespace

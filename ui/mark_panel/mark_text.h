@@ -1,5 +1,5 @@
 #pragma once
-// What the step "Mark" says, computed without widgets: each stretch in words, and whether enough is left.
+// What the step "Mark" says, computed without widgets: each segment in words, and whether enough is left.
 #include <QString>
 #include <array>
 #include <vector>

@@ -17,7 +17,7 @@ struct EntryWords {
 };
 
 constexpr double kInterval = 1.96;    // Standard deviations of a 95 % interval
-constexpr double kVisible = 0.05e-3;  // [m] A sag that is told
+constexpr double kVisible = 0.05e-3;  // [m] The least sag that is mentioned
 
 QString newtons(double force) { return EntryWords::tr("%1 N").arg(numberText(force, force < 10.0 ? 1 : 0)); }
 

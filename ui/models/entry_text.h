@@ -1,5 +1,5 @@
 #pragma once
-// What today's entry at the controller costs, in words and numbers, computed without widgets.
+// What the controller's current entry costs, in words and numbers, computed without widgets.
 #include <QString>
 #include <vector>
 

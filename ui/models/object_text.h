@@ -1,5 +1,5 @@
 #pragma once
-// What is told of something that the tool carries, as plain data.
+// What is said about an object that the tool carries, as plain data.
 #include <QString>
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace heft {
 
 struct ObjectText {
   QString headline;  ///< "It weighs 0.312 ± 0.004 kg."
-  QString note;      ///< When it was picked up, or why nothing is told
+  QString note;      ///< When it was picked up, or why there is no estimate
   bool sure = false;
   std::vector<DetailText> rows;  ///< Mass, centre, inertia with intervals; empty unless it was found
   std::vector<FindingText> findings;

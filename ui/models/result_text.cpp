@@ -179,7 +179,7 @@ void addPrincipalAxes(const EstimateReport& r, std::vector<DetailText>& rows) {
            "Moments about the principal axes through the centre of mass, and these axes in the sensor’s frame")});
 }
 
-/// What the motion told and what it did not: the ten directions, the best known first.
+/// What the motion determined and what it did not: the ten directions, the best determined first.
 void addDirections(const EstimateReport& r, std::vector<DetailText>& rows) {
   if (r.identifiability.directions.empty()) return;
   QStringList lines;
@@ -277,7 +277,7 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
   return rows;
 }
 
-/// Mass, centre and inertia: what the data said, what was told, and what became of it.
+/// Mass, centre and inertia: what the data said, what was stated, and what became of it.
 std::vector<ShareText> shareTexts(const EstimateReport& report) {
   std::vector<ShareText> rows;
   if (!report.evidence.hasPrior) return rows;
@@ -347,6 +347,48 @@ std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPa
                          "origin")});
   }
   return rows;
+}
+
+/// Without what is said elsewhere. What a joined estimate is of belongs to the numbers: that is returned.
+QString addFindings(const EstimateReport& report, ResultText& out) {
+  QString joined;
+  for (const Finding& finding : report.findings) {
+    if (finding.code == "joined") {  // Belongs to the numbers, not below them.
+      joined = saidNow(finding.text);
+      continue;
+    }
+    // Already said as advice.
+    if (finding.code == "weak_direction" && capitalised(saidNow(finding.text)) == out.advice) continue;
+    FindingText said;
+    said.severity = finding.severity;
+    said.text = capitalised(saidNow(finding.text));
+    said.remedy = capitalised(saidNow(finding.remedy));
+    said.doubt = doubtsNumbers(finding.severity, finding.code);
+    said.noTrust = finding.code == "no_trust";
+    if (finding.code == "shape_contradicts_data" || finding.code == "shape_left_out")
+      said.leads = FindingText::Leads::shape;
+    if (finding.code == "payload_change") said.leads = FindingText::Leads::object;
+    out.findings.push_back(std::move(said));
+    out.doubtful = out.doubtful || out.findings.back().doubt;
+  }
+  return joined;
+}
+
+/// Numbers that leave their intervals with causes that the reality check found, and that it did.
+void doubtNumbers(const OpenQuestion& open, ResultText& out) {
+  out.mass.doubted = open.moved(0) > kOutside;
+  for (int i = 0; i < 3; ++i) out.com[static_cast<std::size_t>(i)].doubted = open.moved(1 + i) > kOutside;
+  doubtInertia(out.inertia, open.moved);
+  out.doubted = out.doubtful || !open.causes.isEmpty();
+  if (!open.causes.isEmpty())
+    out.findings.push_back(
+        {Severity::warning,
+         open.causes.size() == 1
+             ? ResultWords::tr("The reality check found a cause that is not applied: %1").arg(open.causes.front())
+             : ResultWords::tr("The reality check found %1 causes that are not applied: %2")
+                   .arg(QString::number(open.causes.size()), open.causes.join(' ')),
+         open.change.isEmpty() ? QString() : ResultWords::tr("With it: %1.").arg(open.change), true, false,
+         FindingText::Leads::realityCheck});
 }
 
 /// What is wrong and what to do next, in place of numbers.
@@ -443,41 +485,9 @@ ResultText describeResult(const EstimateReport& report, const KnownPayload& know
   out.shares = shareTexts(report);
   out.known = knownTexts(report, stated);
 
-  QString joined;
-  for (const Finding& finding : report.findings) {
-    if (finding.code == "joined") {  // Belongs to the numbers, not below them.
-      joined = saidNow(finding.text);
-      continue;
-    }
-    // Already said as advice.
-    if (finding.code == "weak_direction" && capitalised(saidNow(finding.text)) == out.advice) continue;
-    FindingText said;
-    said.severity = finding.severity;
-    said.text = capitalised(saidNow(finding.text));
-    said.remedy = capitalised(saidNow(finding.remedy));
-    said.doubt = doubtsNumbers(finding.severity, finding.code);
-    said.noTrust = finding.code == "no_trust";
-    if (finding.code == "shape_contradicts_data" || finding.code == "shape_left_out")
-      said.leads = FindingText::Leads::shape;
-    if (finding.code == "payload_change") said.leads = FindingText::Leads::object;
-    out.findings.push_back(std::move(said));
-    out.doubtful = out.doubtful || out.findings.back().doubt;
-  }
-  const bool massMoves = open.moved(0) > kOutside;
-  out.mass.doubted = massMoves;
-  for (int i = 0; i < 3; ++i) out.com[static_cast<std::size_t>(i)].doubted = open.moved(1 + i) > kOutside;
-  doubtInertia(out.inertia, open.moved);
-  out.doubted = out.doubtful || !open.causes.isEmpty();
-  if (!open.causes.isEmpty())
-    out.findings.push_back(
-        {Severity::warning,
-         open.causes.size() == 1
-             ? ResultWords::tr("The reality check found a cause that is not applied: %1").arg(open.causes.front())
-             : ResultWords::tr("The reality check found %1 causes that are not applied: %2")
-                   .arg(QString::number(open.causes.size()), open.causes.join(' ')),
-         open.change.isEmpty() ? QString() : ResultWords::tr("With it: %1.").arg(open.change), true, false,
-         FindingText::Leads::realityCheck});
-  if ((out.doubtful || massMoves) && id.mass != Source::none)
+  const QString joined = addFindings(report, out);
+  doubtNumbers(open, out);
+  if ((out.doubtful || out.mass.doubted) && id.mass != Source::none)
     out.question = ResultWords::tr("Your tool seems to weigh %1.")
                        .arg(weight.replace(' ', QChar(0xA0)));  // The unit does not stand alone on the next line.
   if (out.doubtful || open.moved.maxCoeff() > kOutside)

@@ -37,13 +37,13 @@ struct DetailText {
   QString name, value, tip;
 };
 
-/// How much of a number the motion told, against what the user stated.
+/// How much of a number the motion determined, compared with what the user stated.
 struct ShareText {
   QString name;
   double data = 1.0;
   QString words;        ///< "98 % data"
-  QString tip;          ///< What the data said, what was told, how far they pulled each other.
-  bool pulled = false;  ///< What was told moved the number out of the interval that the data gave.
+  QString tip;          ///< What the data say, what was stated, and how far these disagree.
+  bool pulled = false;  ///< What was stated moved the number out of the interval that the data gave.
 };
 
 struct ResultText {
@@ -62,7 +62,7 @@ struct ResultText {
   QString inertiaNote;
   QString advice;                     ///< What would make it better; may be empty.
   std::vector<FindingText> findings;  ///< Gravest first.
-  std::vector<ShareText> shares;      ///< Empty where nothing was told.
+  std::vector<ShareText> shares;      ///< Empty if nothing was stated.
   std::vector<DetailText> known;      ///< Comparison with CAD or scale values; empty without any.
   std::vector<DetailText> details;
 };
@@ -73,7 +73,7 @@ struct KnownPayload {
   bool byUser = true;  ///< Else it stands in the recording's setup file.
 };
 
-/// What the reality check found and nobody applied.
+/// What the reality check found and the user has not applied.
 struct OpenQuestion {
   QStringList causes;                   ///< A sentence each
   Vector10d moved = Vector10d::Zero();  ///< payloadShift(): mass, centre, inertia in their own deviations

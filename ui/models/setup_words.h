@@ -1,6 +1,5 @@
 #pragma once
-// The entries of a setup file in words: as the dialog Robot and sensor asks for them, and as the reality check proposes
-// them.
+// The entries of a setup file in words: as in the dialog Robot and sensor and in the suggestions of the reality check.
 #include <QString>
 #include <QStringList>
 #include <QVector>
@@ -20,7 +19,7 @@ struct SetupWords {
   QStringList choices() const;  ///< The answers' words.
 };
 
-/// Of the entry `key`, such as "torque_sign"; the key itself as title where the dialog does not ask for it.
+/// Of the entry `key`, such as "torque_sign"; the key itself as title if the dialog has no such field.
 SetupWords setupWords(const QString& key);
 
 /// What the file holds in words: "opposite to the force" for "opposite"; itself where it is no answer of this entry.

@@ -14,11 +14,12 @@ struct UnitChoice {
   bool operator==(const UnitChoice&) const = default;
 };
 
-/// Of the whole program, as the theme is. What is shown already has to be built anew.
+/// For the whole program, like the theme. What is already shown must be rebuilt.
 const UnitChoice& units();
 void setUnits(const UnitChoice& choice);
 
-/// How a quantity is shown: the SI value times `scale`, with so many more decimals than in kg, mm, N m or degrees.
+/// How a quantity is shown: the SI value times `scale`, and with this many more decimals than in kg, mm, N m or
+/// degrees.
 struct ShownUnit {
   QString name;
   double scale = 1.0;

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ui/models/numbers.h"
-#include "ui/reality_panel/cause_card.h"
+#include "ui/reality_cards/cause_card.h"
 
 namespace heft {
 namespace {
@@ -31,7 +31,7 @@ double valueOf(const DiagnosedCause& cause, const char* name) {
   return p ? p->value : 0.0;
 }
 
-/// So many times larger that `size` can be seen; whole, and 1 where it is large by itself.
+/// The integer factor that makes `size` visible; 1 if it is large enough.
 double enlargement(double size, double visible) {
   return size > 0.0 ? std::clamp(std::round(visible / size), 1.0, 10.0) : 1.0;
 }

@@ -73,9 +73,9 @@ void DecidingMotion::begin(Advice advice) {
       way.push_back(opened->robot->linkPose(q, tool->link) * tool->X_LS * Vector3d(0.06, 0.0, 0.12));
     }
   }
-  view_->showGhostWay(way);
-  view_->setGhostLabel(tr("Move like this"), coachShort(*advice_));
-  if (const Clearance* clearance = around_->ready()) view_->showHulls(clearance->hulls());
+  view_->marks().showGhostWay(way);
+  view_->marks().setGhostLabel(tr("Move like this"), coachShort(*advice_));
+  if (const Clearance* clearance = around_->ready()) view_->marks().showHulls(clearance->hulls());
   showAt(advice_->target);
   clock_.start();
   timer_.start();
@@ -83,7 +83,7 @@ void DecidingMotion::begin(Advice advice) {
 
 void DecidingMotion::step() {
   if (!advice_ || !view_) return;
-  // It begins where it leads to furthest, which tells most at a glance.
+  // Start at the farthest point of the motion, which shows most at a glance.
   VectorXd q, dq, ddq;
   const double duration = advice_->motion.duration();
   advice_->motion.at(std::fmod(0.25 * duration + static_cast<double>(clock_.elapsed()) / 1000.0, duration), q, dq, ddq);
@@ -91,8 +91,8 @@ void DecidingMotion::step() {
 }
 
 void DecidingMotion::showAt(const VectorXd& q) {
-  view_->showGhost(q);
-  if (const Clearance* clearance = around_->ready()) view_->showGap(clearance->nearest(q));
+  view_->marks().showGhost(q);
+  if (const Clearance* clearance = around_->ready()) view_->marks().showGap(clearance->nearest(q));
 }
 
 void DecidingMotion::hide() {
@@ -100,11 +100,11 @@ void DecidingMotion::hide() {
   timer_.stop();
   if (!advice_ || !view_) return;
   advice_.reset();
-  view_->showGhost(std::nullopt);
-  view_->showGhostWay({});
-  view_->showGap(std::nullopt);
-  view_->showHulls({});
-  view_->setGhostLabel({}, {});
+  view_->marks().showGhost(std::nullopt);
+  view_->marks().showGhostWay({});
+  view_->marks().showGap(std::nullopt);
+  view_->marks().showHulls({});
+  view_->marks().setGhostLabel({}, {});
 }
 
 }  // namespace heft

@@ -1,5 +1,5 @@
 #pragma once
-// The motion that would tell two causes apart, made by the arm's ghost in the shared 3D view.
+// The motion that would tell two causes apart, performed by the arm's ghost in the shared 3D view.
 #include <QElapsedTimer>
 #include <QObject>
 #include <QPointer>
@@ -26,7 +26,7 @@ class DecidingMotion : public QObject {
 
   /// The open recording has an arm that could show one.
   bool possible() const;
-  /// From the posture that is shown now, again and again until hide().
+  /// From the posture shown now, repeated until hide().
   void show(const std::string& motion);
   void hide();
   bool shown() const { return advice_.has_value(); }

@@ -17,8 +17,8 @@
 
 #include "ui/models/numbers.h"
 #include "ui/models/units.h"
-#include "ui/reality_panel/cause_card.h"
-#include "ui/reality_panel/cause_words.h"
+#include "ui/reality_cards/cause_numbers.h"
+#include "ui/reality_cards/cause_words.h"
 #include "ui/reality_panel/difference_traces.h"
 #include "ui/timeline/overview_strip.h"
 #include "ui/timeline/playback.h"
@@ -241,7 +241,7 @@ void DifferencePane::zoomToTelling() {
   axis_->show(stretch.from, stretch.to);
 }
 
-/// What the difference goes with most, on the chosen channel.
+/// What the residual correlates with most, on the chosen channel.
 void DifferencePane::chooseWitness() {
   const QSignalBlocker block(witness_);
   const DiagnosedCause* one = cause();

@@ -37,9 +37,9 @@ class DifferencePane : public QWidget {
   View view() const { return view_; }
   /// 0 to 5: force x ... torque z.
   void setChannel(int channel);
-  /// By its ID; false if there is none of that name.
+  /// By its ID; false if it does not exist.
   bool setWitness(const QString& id);
-  /// One cause alone, on the channel and in the stretch where it shows best; an empty ID: all of them together.
+  /// One cause alone, on the channel and in the segment where it shows best; an empty ID: all of them together.
   void showCause(const std::string& id);
 
   DifferenceTraces* traces() { return traces_; }
@@ -62,7 +62,7 @@ class DifferencePane : public QWidget {
   void chooseWitness();
   void showTime(double time);
   const DiagnosedCause* cause() const;
-  /// Left over without or with what is chosen: all causes, or one.
+  /// Residual without or with what is chosen: all causes, or one.
   diagnosis::Wrenches leftOver(bool after) const;
   Chart frequencyChart(bool torque) const;
   Chart motionChart(bool after) const;

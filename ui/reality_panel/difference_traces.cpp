@@ -284,7 +284,7 @@ void DifferenceTraces::paintEvent(QPaintEvent*) {
   drawLane(p, lower, tr("residual") + unit);
   QPen dashed(t.text2, 1.5);
   dashed.setDashPattern({3.0, 2.0});
-  // The corrected simulation lies under what was measured, where the two agree.
+  // Where the two agree, the measured curve covers the corrected simulation.
   drawCurve(p, upper, 2, QPen(t.accent, 3.4));
   drawCurve(p, upper, 1, dashed);
   drawCurve(p, upper, 0, QPen(t.text, 1.4));

@@ -1,6 +1,6 @@
 #pragma once
-// One channel over time in the reality check: measured, simulated without and with the causes, and below what each of
-// the two leaves over, on one scale, with the sensor's noise. Shares time, zoom and cursor with the plots.
+// One channel over time in the reality check: measured, simulated without and with the causes, and below the residual
+// of each, on one scale, with the sensor's noise. Shares time, zoom and cursor with the plots.
 #include <QVector>
 #include <QWidget>
 #include <array>
@@ -15,10 +15,10 @@ struct DifferenceCurves {
   QVector<double> time;                     ///< [s], rising
   QVector<double> measured, without, with;  ///< [unit]
   double noise = 0.0;                       ///< Half height of the noise band: two deviations of the sensor
-  double delay = 0.0;                       ///< [s] The readings come so much later than the motion; 0: none is drawn
+  double delay = 0.0;                       ///< [s] How much the readings lag behind the motion; 0: not drawn
   QString channel, unit;                    ///< "force x", "N"
   int decimals = 3;                         ///< Of the numbers at the pointer
-  double value(int curve, int at) const;    ///< 0 measured, 1 without, 2 with, 3 and 4 what these two leave over
+  double value(int curve, int at) const;    ///< 0 measured, 1 without, 2 with, 3 and 4 the residuals of these two
 };
 
 class TimeMouse;

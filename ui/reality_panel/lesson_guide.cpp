@@ -200,11 +200,11 @@ std::optional<Result<bool>> LessonGuide::obey(const QStringList& words) {
   const auto refuse = [](const QString& why) { return Result<bool>(Error{why.toStdString()}); };
   bool number = false;
   const int which = words.value(words.size() - 1).toInt(&number);
-  if (words.size() == 3 && words[1] == "answer" && number && asking()) return answer(which - 1), Result<bool>(true);
-  if (words.size() != 2)
-    return refuse(
-        tr("lesson expects a number, a file, next, back, answer NUMBER or off; answers come after the last "
-           "step."));
+  if (words.size() == 3 && words[1] == "answer" && number) {
+    if (!asking()) return refuse(tr("Answers come after the last step of a lesson."));
+    return answer(which - 1), Result<bool>(true);
+  }
+  if (words.size() != 2) return std::nullopt;
   if (words[1] == "off") return end(), Result<bool>(true);
   if (words[1] == "next" || words[1] == "back") {
     if (!on()) return refuse(tr("No lesson is running."));

@@ -15,7 +15,7 @@ namespace heft {
 
 class WhatIfKnobs;
 
-/// The lessons that come with the program, in their order; their texts were read when the program was tested.
+/// The lessons that come with the program, in their order; tests make sure that they can be read.
 std::vector<Lesson> builtInLessons();
 
 class LessonGuide : public QObject {
@@ -36,7 +36,7 @@ class LessonGuide : public QObject {
   QString title() const;
   QString words() const;
   void addTo(QVBoxLayout* column, QWidget* content);
-  /// The last step is over: the question is asked.
+  /// After the last step, while the question is asked.
   bool asking() const;
   bool solved() const;
   bool first() const { return step_ == 0; }

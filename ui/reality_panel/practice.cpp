@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "core/simulation/practice.h"
-#include "ui/reality_panel/cause_card.h"
-#include "ui/reality_panel/cause_words.h"
+#include "ui/reality_cards/card_parts.h"
+#include "ui/reality_cards/cause_words.h"
 
 namespace heft {
 namespace {

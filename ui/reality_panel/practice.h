@@ -19,8 +19,8 @@ QString practiceFile(std::uint64_t seed);
 /// The number of a practice recording by its file; nothing for other recordings.
 std::optional<std::uint64_t> practiceSeed(const QString& path);
 
-/// "What is wrong with this recording?": the faults to choose from, and a hint for whoever asks. A first guess that was
-/// wrong (`found.tried`) is said and can be given up.
+/// "What is wrong with this recording?": the faults to choose from, and a hint on request. A first wrong guess
+/// (`found.tried`) is mentioned, and the user can give up.
 struct RiddleActions {
   std::function<void(std::string)> guessed;
   std::function<void()> hintWanted, gaveUp;

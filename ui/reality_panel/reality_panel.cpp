@@ -30,20 +30,20 @@
 #include "ui/controller/only_child.h"
 #include "ui/controller/workspace.h"
 #include "ui/models/numbers.h"
-#include "ui/reality_panel/cause_card.h"
+#include "ui/reality_cards/cause_card.h"
+#include "ui/reality_cards/cause_words.h"
+#include "ui/reality_cards/reality_page.h"
 #include "ui/reality_panel/cause_marks.h"
-#include "ui/reality_panel/cause_words.h"
 #include "ui/reality_panel/deciding_motion.h"
 #include "ui/reality_panel/difference_pane.h"
 #include "ui/reality_panel/lesson_guide.h"
 #include "ui/reality_panel/practice.h"
-#include "ui/reality_panel/reality_page.h"
 #include "ui/reality_panel/what_if_knobs.h"
 #include "ui/reality_panel/what_if_pane.h"
-#include "ui/report/session_report.h"
 #include "ui/robot_view/robot_view.h"
 #include "ui/theme/theme.h"
 #include "ui/timeline/time_axis.h"
+#include "ui/widgets/basics.h"
 #include "ui/wrench_plots/recording_pane.h"
 
 namespace heft {
@@ -87,7 +87,8 @@ RealityPanel::RealityPanel(const StudioParts& parts)
       lesson_(new LessonGuide(parts, whatIf_, this)),
       panes_(new QStackedWidget),
       findings_(onlyChild<RealityFindings>(*parts.workspace)),
-      found_(findings_->found) {
+      found_(findings_->found),
+      files_(parts, findings_, this) {
   parts.followJobs(&jobs_);
   panes_->addWidget(pane_);
   panes_->addWidget(whatIf_->pane());
@@ -217,11 +218,11 @@ void RealityPanel::recordFor(const std::string& cause) {
 /// A cable's spring in the 3D view, from the tool to where it would be slack.
 void RealityPanel::markPull() {
   if (!parts().view) return;
-  parts().view->showPull({});
-  parts().view->showCauses({});
+  parts().view->marks().showPull({});
+  parts().view->marks().showCauses({});
   if (!shown_ || !found() || riddle()) return;
   const Found& now = *found();
-  parts().view->showCauses(causeMarks(*now.report));
+  parts().view->marks().showCauses(causeMarks(*now.report));
   const auto cause = std::find_if(now.report->causes.begin(), now.report->causes.end(),
                                   [](const DiagnosedCause& c) { return c.id == "cable_pull"; });
   if (cause == now.report->causes.end()) return;
@@ -233,7 +234,7 @@ void RealityPanel::markPull() {
   // Two deviations, in cm
   mark.note = tr("within %1 cm, %2 N on average")
                   .arg(numberText(std::max(1.0, 200.0 * pull->anchorStd), 0), numberText(pull->force, 1));
-  parts().view->showPull(mark);
+  parts().view->marks().showPull(mark);
 }
 
 void RealityPanel::entered() {

@@ -9,7 +9,8 @@
 
 #include "ui/controller/reality_findings.h"
 #include "ui/jobs/job_runner.h"
-#include "ui/reality_panel/reading_card.h"
+#include "ui/reality_cards/reading_card.h"
+#include "ui/reality_panel/reality_files.h"
 #include "ui/steps/step_panel.h"
 
 class QProgressBar;
@@ -78,10 +79,6 @@ class RealityPanel : public StepPanel {
   void recordFor(const std::string& cause);
   /// A command that is not carried out, and why.
   static Result<bool> refusal(const QString& sentence);
-  void saveMeta();
-  Result<bool> writeMeta(const QString& file, bool replace);
-  void saveReport();
-  Result<bool> writeReport(const QString& file, bool replace);
   void look(bool on);
   void arrange();
   void addCards(QVBoxLayout* column, const Found& found, bool& someNext);
@@ -96,6 +93,7 @@ class RealityPanel : public StepPanel {
   QProgressBar* bar_ = nullptr;       ///< While looking; of the page.
   RealityFindings* findings_;
   QMap<QString, Found>& found_;
+  RealityFiles files_;
   QString failure_;
   std::pair<double, double> before_{0.0, 0.0};  ///< What the plots showed when the step was entered [s]
   QColor drawnIn_;                              ///< Text colour of the theme that the page was built in

@@ -12,16 +12,18 @@
 #include "core/simulation/practice.h"
 #include "ui/controller/diagnosis.h"
 #include "ui/controller/workspace.h"
-#include "ui/reality_panel/cause_card.h"
-#include "ui/reality_panel/cause_words.h"
+#include "ui/reality_cards/cause_card.h"
+#include "ui/reality_cards/cause_numbers.h"
+#include "ui/reality_cards/cause_words.h"
+#include "ui/reality_cards/reality_page.h"
 #include "ui/reality_panel/deciding_motion.h"
 #include "ui/reality_panel/difference_pane.h"
 #include "ui/reality_panel/lesson_guide.h"
 #include "ui/reality_panel/practice.h"
-#include "ui/reality_panel/reality_page.h"
 #include "ui/reality_panel/reality_panel.h"
 #include "ui/reality_panel/what_if_knobs.h"
 #include "ui/reality_panel/what_if_pane.h"
+#include "ui/widgets/basics.h"
 #include "ui/wrench_plots/recording_pane.h"
 
 namespace heft {
@@ -135,7 +137,7 @@ CardActions RealityPanel::actions() {
     if (!found()) return;
     for (const DiagnosedCause& cause : found()->report->causes) {
       if (cause.id != id || !parts().plots) continue;
-      // Framed in the plots, too, for whoever goes there.
+      // Framed in the plots, too.
       const auto stretch = telling(*found()->report, cause);
       parts().plots->highlight(stretch.from, stretch.to, tr("clearest here"));
     }
@@ -240,7 +242,7 @@ void RealityPanel::showReport(const Found& found) {
                          });
   if (mayChange) addChange(column, content, report, count);
   addMetaProposal(
-      column, content, report, details_, [this] { saveMeta(); }, parts().editRig);
+      column, content, report, details_, [this] { files_.saveMeta(); }, parts().editRig);
   auto* closer = new QPushButton(looking_ ? tr("Show force and torque") : tr("Show the difference"), content);
   closer->setObjectName("lookCloser");
   closer->setToolTip(tr("What is shown below the arm"));

@@ -9,10 +9,10 @@
 #include "core/simulation/practice.h"
 #include "ui/controller/diagnosis.h"
 #include "ui/controller/workspace.h"
+#include "ui/reality_cards/reality_page.h"
 #include "ui/reality_panel/difference_pane.h"
 #include "ui/reality_panel/lesson_guide.h"
 #include "ui/reality_panel/practice.h"
-#include "ui/reality_panel/reality_page.h"
 #include "ui/reality_panel/reality_panel.h"
 #include "ui/reality_panel/what_if_knobs.h"
 
@@ -27,7 +27,8 @@ void RealityPanel::addActions(const StudioMenus& menus) {
     diagnose();
   });
   again->setShortcut(QKeySequence("Ctrl+L"));
-  menus.file->addAction(tr("Save repor&t …"), this, &RealityPanel::saveReport)->setShortcut(QKeySequence("Ctrl+P"));
+  menus.file->addAction(tr("Save repor&t …"), this, [this] { files_.saveReport(); })
+      ->setShortcut(QKeySequence("Ctrl+P"));
   QAction* riddle = menus.practice->addAction(tr("&New exercise"), this,
                                               [this] { practise(QRandomGenerator::global()->bounded(1u, 1000000u)); });
   riddle->setShortcut(QKeySequence("Ctrl+Shift+P"));
@@ -97,7 +98,7 @@ std::optional<Result<bool>> RealityPanel::obey(const QStringList& words) {
         look(true);
         return Result<bool>(true);
       }
-    return refusal(tr("look expects plots, time, frequency or motion."));
+    return std::nullopt;
   }
   if (verb == "check" && arguments == 1) {
     if (!found()) return refusal(tr("check needs a reality check first: diagnose."));
@@ -108,13 +109,13 @@ std::optional<Result<bool>> RealityPanel::obey(const QStringList& words) {
     return refusal(tr("%1 is not open beside the shown recording.").arg(words[1]));
   }
   if (verb == "meta" && (arguments == 1 || (arguments == 2 && words[2] == "replace")))
-    return writeMeta(words[1], arguments == 2);
+    return files_.writeMeta(words[1], arguments == 2);
   if (verb == "report" && (arguments == 1 || (arguments == 2 && words[2] == "replace")))
-    return writeReport(words[1], arguments == 2);
+    return files_.writeReport(words[1], arguments == 2);
   if (verb == "practice" && arguments == 1) {
     bool ok = false;
     const auto seed = words[1].toULongLong(&ok);
-    if (!ok) return refusal(tr("practice expects the number of an exercise."));
+    if (!ok) return std::nullopt;
     practise(seed);
     return Result<bool>(true);
   }

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "ui/controller/workspace.h"
-#include "ui/reality_panel/cause_words.h"
+#include "ui/reality_cards/cause_words.h"
 #include "ui/reality_panel/what_if_pane.h"
 #include "ui/widgets/basics.h"
 
@@ -50,7 +50,7 @@ void WhatIfKnobs::prepare() {
   const auto segments = parts_.workspace->segments();
   if (!opened) failure_ = tr("Open a recording first.");
   pane_->showNothing(opened ? tr("Preparing the sliders …") : failure_);
-  // Before its first estimate nobody knows what of a recording is free; then it comes here again.
+  // Before the first estimate it is not known which samples are free; this is called again afterwards.
   if (!opened || segments.empty()) return emit changed();
   jobs_.start(
       tr("Preparing the sliders"),
@@ -160,12 +160,10 @@ ScriptForms WhatIfKnobs::scriptForms() {
 
 std::optional<Result<bool>> WhatIfKnobs::obey(const QStringList& words) {
   if (words[0] != "whatif") return std::nullopt;
-  if (words.size() == 2 && words[1] == "off") return setOn(false), Result<bool>(true);
+  const bool only = words.size() == 2 && (words[1] == "on" || words[1] == "off");
+  if (!only && (words.size() < 3 || words.size() % 2 == 0)) return std::nullopt;
+  if (only && words[1] == "off") return setOn(false), Result<bool>(true);
   if (!parts_.workspace->opened()) return Result<bool>(Error{tr("whatif needs an open recording.").toStdString()});
-  const bool only = words.size() == 2 && words[1] == "on";
-  if (!only && (words.size() < 3 || words.size() % 2 == 0))
-    return Result<bool>(
-        Error{tr("whatif expects on, off, or causes with their sizes: whatif time_offset 12.").toStdString()});
   const QStringList turns = only ? QStringList() : words.mid(1);
   if (whatIf_ && on_) {
     for (int i = 0; i + 1 < turns.size(); i += 2)

@@ -44,7 +44,7 @@ class WhatIfKnobs : public QObject {
   std::optional<Result<bool>> obey(const QStringList& words);
 
  signals:
-  /// on(), or the sliders, are others.
+  /// on() or the set of sliders has changed.
   void changed();
 
  private:
@@ -59,7 +59,7 @@ class WhatIfKnobs : public QObject {
   QString failure_;
   std::shared_ptr<const OpenRecording> of_;
   std::shared_ptr<const WhatIf> whatIf_;
-  std::vector<double> positions_;  ///< One a knob, 0 to 1
+  std::vector<double> positions_;  ///< One per knob, 0 to 1
   std::optional<WhatIfState> calm_, state_;
   std::optional<QStringList> only_;
   QStringList wanted_;  ///< Of a script: turned once it is ready

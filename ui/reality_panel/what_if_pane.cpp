@@ -12,7 +12,7 @@
 #include "ui/charts/chart.h"
 #include "ui/models/numbers.h"
 #include "ui/models/units.h"
-#include "ui/reality_panel/cause_words.h"
+#include "ui/reality_cards/cause_words.h"
 #include "ui/widgets/basics.h"
 #include "ui/widgets/pane_header.h"
 

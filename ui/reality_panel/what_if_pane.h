@@ -1,6 +1,6 @@
 #pragma once
-// What a turned knob does, under the arm: what is left over of force and torque, the estimate with its lights, and
-// whether anybody could see it.
+// What a turned knob does, under the arm: the residual of force and torque, the estimate with its lights, and
+// whether the fault could be detected.
 #include <QWidget>
 #include <array>
 
@@ -20,7 +20,7 @@ class WhatIfPane : public QWidget {
  public:
   explicit WhatIfPane(QWidget* parent = nullptr);
 
-  /// `calm`: without faults. `known`: what the motion tells at all. Cheap: only words, lights and curves change.
+  /// `calm`: without faults. `known`: what the motion determines at all. Cheap: only words, lights and curves change.
   void show(const WhatIf& whatIf, const WhatIfState& calm, const WhatIfState& state, const Identifiability& known);
   void showNothing(const QString& why);
 

@@ -55,7 +55,7 @@ FlangeGuide::~FlangeGuide() { detach(); }
 void FlangeGuide::attach() {
   if (attached_) return;
   attached_ = true;
-  view_->setHandles(&handles_);
+  view_->handles().setHandles(&handles_);
   if (auto* viewport = view_->findChild<QWidget*>("viewport")) viewport->installEventFilter(this);
 }
 
@@ -63,7 +63,7 @@ void FlangeGuide::detach() {
   if (!attached_) return;
   attached_ = false;
   if (!view_) return;
-  view_->setHandles(nullptr);
+  view_->handles().setHandles(nullptr);
   if (auto* viewport = view_->findChild<QWidget*>("viewport")) viewport->removeEventFilter(this);
 }
 

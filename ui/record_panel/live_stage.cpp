@@ -35,11 +35,11 @@ void LiveStage::enter() {
 void LiveStage::leave() {
   if (!entered_ || !view_) return;
   entered_ = false;
-  view_->setStepNote({});
-  view_->showGhost(std::nullopt);
-  view_->showGhostWay({});
-  view_->showGap(std::nullopt);
-  view_->showHulls({});
+  view_->note().setText({});
+  view_->marks().showGhost(std::nullopt);
+  view_->marks().showGhostWay({});
+  view_->marks().showGap(std::nullopt);
+  view_->marks().showHulls({});
   hulls_ = nullptr;
   if (begun_) view_->endLive();
 }
@@ -47,10 +47,10 @@ void LiveStage::leave() {
 void LiveStage::refresh() {
   if (!entered_ || !run_->running()) return;
   const LiveView& now = run_->view();
-  view_->setStepNote(run_->paused() ? tr("Paused at %1 s").arg(numberText(now.time, 1))
-                     : run_->poses()
-                         ? tr("● Standing poses  %1 s").arg(numberText(now.time, 1))
-                         : tr("● Recording %1 s   %2 Hz").arg(numberText(now.time, 1), numberText(now.rateHz, 0)));
+  view_->note().setText(run_->paused() ? tr("Paused at %1 s").arg(numberText(now.time, 1))
+                        : run_->poses()
+                            ? tr("● Standing poses  %1 s").arg(numberText(now.time, 1))
+                            : tr("● Recording %1 s   %2 Hz").arg(numberText(now.time, 1), numberText(now.rateHz, 0)));
   if (!now.any) return;
   if (!begun_) {
     if (now.q && !look_) return;  // It is being loaded.
@@ -94,8 +94,8 @@ void LiveStage::showAdvice() {
     }
     note = coachShort(*advice);
   }
-  view_->showGhostWay(way);
-  view_->setGhostLabel(way.empty() ? QString() : tr("Move like this"), note);
+  view_->marks().showGhostWay(way);
+  view_->marks().setGhostLabel(way.empty() ? QString() : tr("Move like this"), note);
   showGhost();
 }
 
@@ -115,15 +115,15 @@ void LiveStage::showGhost() {
       q = advice->target;
     }
   }
-  view_->showGhost(q);
+  view_->marks().showGhost(q);
   showGap(q ? q : run_->view().q);
 }
 
 void LiveStage::showGap(const std::optional<VectorXd>& q) {
   const Clearance* clearance = run_->clearance();
-  if (!clearance || !q) return view_->showGap(std::nullopt);
-  if (std::exchange(hulls_, clearance) != clearance) view_->showHulls(clearance->hulls());
-  view_->showGap(clearance->nearest(*q));
+  if (!clearance || !q) return view_->marks().showGap(std::nullopt);
+  if (std::exchange(hulls_, clearance) != clearance) view_->marks().showHulls(clearance->hulls());
+  view_->marks().showGap(clearance->nearest(*q));
 }
 
 }  // namespace heft

@@ -5,7 +5,7 @@
 #include <QPointer>
 #include <memory>
 
-#include "ui/robot_view/robot_look.h"
+#include "ui/robot_look/robot_look.h"
 #include "ui/robot_view/robot_view.h"
 
 namespace heft {
@@ -30,7 +30,7 @@ class LiveStage : public QObject {
  private:
   void showGhost();
   void showAdvice();
-  /// Of the ghost, or of the arm itself while there is none.
+  /// Of the ghost, or of the arm itself if there is none.
   void showGap(const std::optional<VectorXd>& q);
 
   LiveRun* run_;

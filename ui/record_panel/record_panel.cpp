@@ -301,7 +301,7 @@ void RecordPanel::changeWay(bool poses) {
 void RecordPanel::changeTool() {
   VirtualSource* arm = run_->virtualArm();
   if (!arm) return;
-  // Clearly another weight, as when somebody really changes a tool.
+  // A clearly different weight, as with a real tool change.
   const double before = arm->payload().mass;
   const auto seed = before > 0.7 ? toolBetween(0.25, 0.6 * before) : toolBetween(1.5 * before, 1.6);
   if (auto changed = arm->changeTool(practiceTool(seed)); !changed)
@@ -418,7 +418,7 @@ void RecordPanel::showRoom() {
   if (!parts().view) return;
   const auto& file = workspace().session().room;
   const auto room = file.empty() ? Result<Room>(Room()) : readRoom(file);
-  parts().view->showRoom(room ? *room : Room());
+  parts().view->marks().showRoom(room ? *room : Room());
   if (!room) parts().say(Severity::warning, QString::fromStdString(room.error().message));
 }
 

@@ -6,7 +6,7 @@
 
 #include "ui/jobs/job_runner.h"
 #include "ui/live/live_run.h"
-#include "ui/robot_view/robot_look.h"
+#include "ui/robot_look/robot_look.h"
 #include "ui/steps/step_panel.h"
 #include "ui/wrench_plots/recording_pane.h"
 
@@ -46,7 +46,7 @@ class RecordPanel : public StepPanel {
 
   enum class Way { files, live, virtualArm };
   void setWay(Way way);
-  /// The virtual arm with a tool that the seed chooses. With `byClock` its time passes by itself.
+  /// The virtual arm with a tool that the seed chooses. With `byClock` it runs in real time.
   void startVirtual(std::uint64_t seed, bool poses, bool byClock);
   /// What the form says.
   void startListening();
@@ -88,6 +88,9 @@ class RecordPanel : public StepPanel {
   void liveRefreshed();
   void changeTool();
   void fail(const QString& sentence);
+  std::optional<Result<bool>> obeyLive(const QStringList& words);
+  /// The script goes on when all has come and has been learned.
+  Result<bool> replay(const QString& file);
 
   QPointer<RecordingPane> ownPane_;  ///< Plots of the live run; the window places it.
   LiveRun* run_;                     ///< The workspace's: it goes on when the window is replaced.

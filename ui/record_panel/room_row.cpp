@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include "core/collision/room.h"
 #include "ui/controller/workspace.h"

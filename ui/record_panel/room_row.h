@@ -1,5 +1,5 @@
 #pragma once
-// What stands around the arm, as the page of Record asks for it.
+// The obstacles around the arm, as a row on the page of Record.
 #include <QWidget>
 
 class QLabel;

@@ -27,7 +27,7 @@ std::vector<Sample> samples() {
 
 Result<QString> sampleFile(const Sample& sample, const Progress& progress) {
   const QDir folder(QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)).absoluteFilePath("samples"));
-  const QString path = folder.filePath(sample.file);
+  QString path = folder.filePath(sample.file);
   if (QFileInfo(path).size() > 0) return path;
   QDir().mkpath(folder.path());
   Payload tool;

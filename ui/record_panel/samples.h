@@ -1,5 +1,5 @@
 #pragma once
-// Recordings to try the program with, where none is at hand: made by the simulation when they are first asked for.
+// Sample recordings for users without one: simulated when first needed.
 #include <QString>
 #include <vector>
 

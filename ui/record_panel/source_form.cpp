@@ -10,6 +10,7 @@
 #include <QScrollArea>
 #include <QStyle>
 #include <QVBoxLayout>
+#include <QVariant>
 #include <algorithm>
 #include <filesystem>
 #include <tuple>
@@ -162,7 +163,8 @@ void SourceForm::rebuild() {
   addMount(column);
 }
 
-/// Where S sits on the flange decides the inertia and what is exported: asked, not assumed in small print.
+/// The sensor's pose on the flange affects the inertia and everything exported: the user is asked; it is not silently
+/// assumed.
 void SourceForm::addMount(QVBoxLayout* column) {
   column->addSpacing(4);
   column->addWidget(styledLabel(tr("Where is the sensor’s measuring point?"), "sectionTitle", fields_));

@@ -1,5 +1,5 @@
 #pragma once
-// Where live data comes from, asked in plain words: which device, at which address, and who tells the arm's joints.
+// Where live data comes from, in plain words: which device, at which address, and where the joint angles come from.
 #include <QStringList>
 #include <QWidget>
 
@@ -30,7 +30,7 @@ class SourceForm : public QWidget {
   QString rigFile() const;
   /// Says what keeps it from listening at the field that it concerns, and puts the keyboard there.
   void complain(const QString& sentence);
-  /// Neither a rig file nor the user says how the sensor sits on the flange.
+  /// Neither a setup file nor the user states how the sensor is mounted on the flange.
   bool mountAssumed() const;
 
  private:

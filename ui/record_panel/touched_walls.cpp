@@ -13,20 +13,8 @@ namespace {
 
 Result<Room> roomIn(const Snapshot& now, const EstimateReport& report, const Shape& tool, const Progress& progress) {
   const Recording recording = now.recording();
-  const auto settings = compensateOptionsFromJson(toJson(report), recording.file);
-  if (!settings) return settings.error();
-  const auto compensated = compensate(recording, now.robot(), *settings, progress);
-  if (!compensated) return compensated.error();
-  const auto touched = touchedRoom(recording, now.robot(), *compensated, tool);
+  const auto touched = findTouchedRoom(recording, now.robot(), toJson(report), recording.file, tool, progress);
   if (!touched) return touched.error();
-  if (touched->planes.empty()) {
-    QString why = TouchedWalls::tr(
-        "No touch in this recording shows a wall or a table. Press the tool against each and hold it for a second, "
-        "with "
-        "free motion between.");
-    for (const Finding& finding : touched->findings) why += QLatin1Char(' ') + QString::fromStdString(finding.text);
-    return Error{why.toStdString()};
-  }
   return roomOf(*touched, Room{}.margin);
 }
 
@@ -61,7 +49,7 @@ Result<bool> TouchedWalls::find() {
           return fail(written.error());
         workspace_->setRoom(file.toStdString(), tr("Walls that were touched"));
         QStringList names;
-        for (const Obstacle& obstacle : room->obstacles) names << QString::fromStdString(obstacle.name);
+        for (const Obstacle& obstacle : room->obstacles) names << QString::fromStdString(titleOf(obstacle));
         emit ended(Severity::info, tr("Found: %1. Saved as %2.").arg(names.join(QStringLiteral(", ")), file));
       });
   return true;

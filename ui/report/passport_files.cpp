@@ -11,7 +11,7 @@
 #include "core/compensation/passport.h"
 #include "core/compensation/passport_page.h"
 #include "ui/models/proof_text.h"
-#include "ui/reality_panel/cause_words.h"
+#include "ui/reality_cards/cause_words.h"
 #include "ui/report/paper.h"
 
 namespace heft {

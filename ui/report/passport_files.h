@@ -14,7 +14,7 @@ struct PassportParts {
   Workspace* workspace = nullptr;
   QString tool;                                      ///< Its name
   QDate date;                                        ///< Of the passport
-  std::shared_ptr<const DiagnosisReport> diagnosis;  ///< Null: nobody looked for causes.
+  std::shared_ptr<const DiagnosisReport> diagnosis;  ///< Null: the reality check was not run.
 };
 
 /// The newest passport of this tool among the JSON files of a folder, `except` aside; empty if there is none.

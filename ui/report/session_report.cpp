@@ -16,10 +16,11 @@
 #include "ui/models/numbers.h"
 #include "ui/models/proof_text.h"
 #include "ui/models/result_text.h"
-#include "ui/reality_panel/cause_card.h"
-#include "ui/reality_panel/cause_words.h"
-#include "ui/reality_panel/open_question.h"
-#include "ui/reality_panel/reality_page.h"
+#include "ui/reality_cards/cause_charts.h"
+#include "ui/reality_cards/cause_numbers.h"
+#include "ui/reality_cards/cause_words.h"
+#include "ui/reality_cards/open_question.h"
+#include "ui/reality_cards/reality_page.h"
 #include "ui/report/paper.h"
 
 namespace heft {
@@ -131,8 +132,9 @@ QString entryPart(Workspace& workspace) {
   const EntryText text = describeEntry(*cost, {choice.collisionForce, choice.collisionTorque, choice.stiffness});
   QString rows;
   for (const DetailText& d : text.rows) rows += row({d.name, d.value});
-  return heading(Words::tr("What today’s entry costs")) + paragraph(text.headline + ' ' + text.consequence) +
-         table(rows) + (text.note.isEmpty() ? QString() : paragraph(text.note));
+  return heading(Words::tr("What the controller’s current entry costs")) +
+         paragraph(text.headline + ' ' + text.consequence) + table(rows) +
+         (text.note.isEmpty() ? QString() : paragraph(text.note));
 }
 
 QString proofPart(const Workspace& workspace, const EstimateReport& report) {
@@ -140,7 +142,7 @@ QString proofPart(const Workspace& workspace, const EstimateReport& report) {
   if (!text) return {};
   QString out = heading(Words::tr("Proof")) +
                 QStringLiteral("<p><b>%1</b></p>\n").arg(escaped(QString::fromStdString(text->headline)));
-  if (text->outdated) out += paragraph(Words::tr("It was made with other numbers than these."));
+  if (text->outdated) out += paragraph(Words::tr("It was made with different numbers."));
   for (const auto& reason : text->reasons)
     out += paragraph(QString::fromStdString(reason.text + ' ' + reason.remedy).trimmed());
   QStringList facts;
@@ -151,10 +153,10 @@ QString proofPart(const Workspace& workspace, const EstimateReport& report) {
 QString marksPart(const Workspace& workspace) {
   const auto segments = workspace.segments();
   if (segments.empty()) return {};
-  QString rows = row({Words::tr("From [s]"), Words::tr("To [s]"), Words::tr("Mark"), Words::tr("Reason")}, true);
+  QString rows = row({Words::tr("From [s]"), Words::tr("To [s]"), Words::tr("Label"), Words::tr("Reason")}, true);
   for (const Segment& s : segments)
     rows += row({numberText(s.from, 2), numberText(s.to, 2), labelWord(s.label), QString::fromStdString(s.reason)});
-  return heading(Words::tr("Marked segments")) + table(rows);
+  return heading(Words::tr("Labelled segments")) + table(rows);
 }
 
 QString causePart(const DiagnosisReport& report, const DiagnosedCause& cause, bool applied) {
@@ -194,17 +196,18 @@ QString diagnosisPart(const Workspace& workspace, const DiagnosisReport& report)
                          .arg(goesWithText(report.remaining.goesWith)));
   if (!report.causes.empty()) {
     const ChangeText change = payloadChange(report);
-    out += paragraph(change.text.isEmpty()
-                         ? Words::tr("With all causes applied, mass and centre stay the same.")
-                         : Words::tr("With all causes applied the result changes: %1, %2 times its stated uncertainty.")
-                               .arg(change.text, numberText(change.sigmas, 1)));
+    out +=
+        paragraph(change.text.isEmpty()
+                      ? Words::tr("With all causes applied, mass and centre stay the same.")
+                      : Words::tr("With all causes applied, the result changes: %1 (%2 times its stated uncertainty).")
+                            .arg(change.text, numberText(change.sigmas, 1)));
   }
   for (const bool torque : {false, true}) {
     const auto spectrum = diagnosis::spectrumOf(report.series, torque);
     if (spectrum.frequency.size() == 0) continue;
     Chart chart;
-    chart.yTitle = torque ? Words::tr("Torque difference by frequency [N m/√Hz]")
-                          : Words::tr("Force difference by frequency [N/√Hz]");
+    chart.yTitle =
+        torque ? Words::tr("Torque residual spectrum [N m/√Hz]") : Words::tr("Force residual spectrum [N/√Hz]");
     chart.xTitle = Words::tr("Frequency [Hz]");
     chart.logX = chart.logY = true;
     addNoise(chart, report, spectrum, torque);
@@ -212,7 +215,7 @@ QString diagnosisPart(const Workspace& workspace, const DiagnosisReport& report)
       QVector<QPointF> points;
       for (Eigen::Index i = 0; i < spectrum.frequency.size(); ++i)
         points.push_back({spectrum.frequency(i), (after ? spectrum.after : spectrum.before)(i)});
-      chart.curves.push_back({after ? Words::tr("with the causes") : Words::tr("without"),
+      chart.curves.push_back({after ? Words::tr("causes corrected") : Words::tr("uncorrected"),
                               after ? ChartCurve::Colour::after : ChartCurve::Colour::before, points, !after});
     }
     out += pictureOf(chart, 170);
@@ -232,10 +235,10 @@ QString sessionReportHtml(const ReportParts& parts) {
   out += paragraph(Words::tr("Heft Studio %1, %2")
                        .arg(QCoreApplication::applicationVersion(),
                             QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat)));
-  if (!opened) return out + paragraph(Words::tr("Nothing is open.")) + paper::ending();
+  if (!opened) return out + paragraph(Words::tr("No recording is open.")) + paper::ending();
   const auto report = workspace.report();
   if (report) out += resultPart(workspace, *report) + entryPart(workspace) + proofPart(workspace, *report);
-  if (!parts.view.isNull()) out += pictureOf(parts.view, Words::tr("The arm as it moved"));
+  if (!parts.view.isNull()) out += pictureOf(parts.view, Words::tr("The motion of the arm"));
   out += recordingPart(*opened);
   if (report && report->series.time.size() > 2)
     for (const bool torque : {false, true})
@@ -249,7 +252,7 @@ QString sessionReportHtml(const ReportParts& parts) {
 Result<bool> writeSessionReport(const ReportParts& parts, const QString& file, bool replace) {
   const bool pdf = file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive);
   if (!pdf && !file.endsWith(QLatin1String(".html"), Qt::CaseInsensitive))
-    return Error{Words::tr("%1: a report ends in .html or .pdf.").arg(file).toStdString()};
+    return Error{Words::tr("%1: the name of a report must end in .html or .pdf.").arg(file).toStdString()};
   if (!replace && QFileInfo::exists(file))
     return Error{Words::tr("%1 already exists and was not overwritten.").arg(file).toStdString()};
   const QString html = sessionReportHtml(parts);

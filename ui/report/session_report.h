@@ -12,7 +12,7 @@ namespace heft {
 
 struct ReportParts {
   Workspace* workspace = nullptr;
-  std::shared_ptr<const DiagnosisReport> diagnosis;  ///< Null: nobody looked for causes.
+  std::shared_ptr<const DiagnosisReport> diagnosis;  ///< Null: the reality check was not run.
   QImage view;                                       ///< Of the arm; may be null.
 };
 

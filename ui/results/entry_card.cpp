@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <QVariant>
 #include <algorithm>
 
 #include "ui/controller/only_child.h"
@@ -66,7 +67,7 @@ void EntryCard::setShown(bool shown) {
   if (shown_)
     showArrow();
   else if (parts_.view)
-    parts_.view->showCauses({});
+    parts_.view->marks().showCauses({});
 }
 
 void EntryCard::showArrow() {
@@ -75,7 +76,7 @@ void EntryCard::showArrow() {
   std::vector<CauseMark> marks;
   if (const auto cost = costs_->cost(); cost && report)
     if (auto mark = phantomMark(*cost, report->payload.com, parts_.playback->time())) marks.push_back(std::move(*mark));
-  parts_.view->showCauses(std::move(marks));
+  parts_.view->marks().showCauses(std::move(marks));
 }
 
 void EntryCard::addTo(QVBoxLayout* column, QWidget* content) {
@@ -85,7 +86,7 @@ void EntryCard::addTo(QVBoxLayout* column, QWidget* content) {
   if (entry) {
     addAnswer(card.layout, content);
   } else {
-    card.layout->addWidget(styledLabel(tr("What does today’s entry cost?"), "sectionTitle", content));
+    card.layout->addWidget(styledLabel(tr("What does the controller’s current entry cost?"), "sectionTitle", content));
     card.layout->addWidget(wrappedLabel(tr("Enter the payload that the controller is set to. Heft then shows the "
                                            "phantom forces it would see, and their effect."),
                                         "body", content));
@@ -117,7 +118,7 @@ void EntryCard::addAnswer(QVBoxLayout* card, QWidget* content) {
                                  : text.grade == Grade::costs ? Light::look
                                                               : Light::measured,
                                  22, content));
-  row->addWidget(styledLabel(tr("What does today’s entry cost?"), "sectionTitle", content), 1);
+  row->addWidget(styledLabel(tr("What does the controller’s current entry cost?"), "sectionTitle", content), 1);
   card->addLayout(row);
   if (!cost) {
     const QString why = costs_->failure();
@@ -160,9 +161,6 @@ ScriptForms EntryCard::scriptForms() {
 
 std::optional<Result<bool>> EntryCard::obey(const QStringList& words) {
   if (words[0] != "controller") return std::nullopt;
-  const Error wrong{tr("controller expects a mass in kg and perhaps a place in mm, a payload file, or off: controller "
-                       "0.5 at 0,0,40.")
-                        .toStdString()};
   ControllerChoice choice = parts_.workspace->session().controller;
   choice.told = {};
   choice.source.clear();
@@ -172,11 +170,11 @@ std::optional<Result<bool>> EntryCard::obey(const QStringList& words) {
   if (isNumber) choice.told.mass = mass;
   if (words.size() == 4 && isNumber && words[2] == "at") {
     choice.told.com = placeOf(words[3]);
-    if (!choice.told.com) return Result<bool>(wrong);
+    if (!choice.told.com) return std::nullopt;
   } else if (words.size() != 2) {
-    return Result<bool>(wrong);
+    return std::nullopt;
   }
-  if (isNumber && !(mass >= 0.0)) return Result<bool>(wrong);
+  if (isNumber && !(mass >= 0.0)) return std::nullopt;
   parts_.workspace->setController(choice, tr("the controller’s entry"));
   return Result<bool>(true);
 }

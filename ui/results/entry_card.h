@@ -1,5 +1,6 @@
 #pragma once
-// "What does today's entry cost?" under the result: its card, its arrow in the 3D view, its script verb.
+// "What does the controller's current entry cost?" under the result: its card, its arrow in the 3D view, its script
+// verb.
 #include <QObject>
 #include <QStringList>
 #include <optional>

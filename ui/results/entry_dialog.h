@@ -1,5 +1,5 @@
 #pragma once
-// What the robot's controller is set to today, and what it reacts to.
+// What the robot's controller is set to now, and what it reacts to.
 #include <QDialog>
 #include <array>
 
@@ -12,11 +12,11 @@ namespace heft {
 
 class PayloadForm;
 
-/// As it stands at the controller: flange axes. An empty weight: what the recording tells.
+/// As entered in the controller: flange axes. An empty weight means: as the recording states.
 class EntryDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `shown` fills the fields of the payload: what `choice` says, else what the recording tells.
+  /// `shown` fills the fields of the payload: as in `choice`, else as the recording states.
   EntryDialog(const ControllerChoice& choice, const PartialPayload& shown, QWidget* parent = nullptr);
   ControllerChoice choice() const { return choice_; }
 

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <QVariant>
 #include <utility>
 
 #include "ui/controller/only_child.h"
@@ -102,7 +103,7 @@ std::optional<Result<bool>> ObjectCard::obey(const QStringList& words) {
   if (words.size() == 2 && words[1] == "picked-up") return waiting_ = true, objects_->findPickedUp();
   if (words.size() == 3 && words[1] == "minus") return waiting_ = true, objects_->findMinus(words[2]);
   if (words.size() == 2 && words[1] == "off") return objects_->forget(), Result<bool>(true);
-  return Result<bool>(Error{tr("object expects picked-up, minus and a recording, or off.").toStdString()});
+  return std::nullopt;
 }
 
 }  // namespace heft

@@ -28,7 +28,7 @@ class ObjectCard : public QObject {
 
  signals:
   void changed();
-  /// After somebody asked, once; not when the answer follows another setting.
+  /// Once after the user asked; not when a changed setting updates the answer.
   void answered();
 
  private:

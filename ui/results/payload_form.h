@@ -1,5 +1,5 @@
 #pragma once
-// Fields for a payload that somebody knows: weight, centre, inertia, each part or none.
+// Fields for a known payload: mass, centre of mass, inertia; each is optional.
 #include <QString>
 #include <QWidget>
 #include <array>

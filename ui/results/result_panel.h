@@ -51,7 +51,7 @@ class ResultPanel : public PanelPage {
 
   std::function<void(QVBoxLayout*, QWidget*)> further_;
   bool details_ = false;
-  std::function<void()> again_;  ///< Shows the same once more, after "Details" was switched.
+  std::function<void()> again_;  ///< Rebuilds the page after "Details" was switched.
 };
 
 }  // namespace heft

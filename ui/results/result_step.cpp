@@ -2,9 +2,11 @@
 
 #include <QAction>
 #include <QFileInfo>
+#include <QLayout>
 #include <QMenu>
 #include <QScrollArea>
 #include <QTimer>
+#include <QVariant>
 #include <algorithm>
 
 #include "core/estimation/comparison.h"
@@ -14,12 +16,13 @@
 #include "ui/models/method_table.h"
 #include "ui/models/result_text.h"
 #include "ui/models/units.h"
-#include "ui/reality_panel/open_question.h"
+#include "ui/reality_cards/open_question.h"
 #include "ui/results/entry_card.h"
 #include "ui/results/known_values.h"
 #include "ui/results/method_pane.h"
 #include "ui/results/object_card.h"
 #include "ui/results/result_panel.h"
+#include "ui/widgets/basics.h"
 
 namespace heft {
 

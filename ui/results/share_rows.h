@@ -1,5 +1,5 @@
 #pragma once
-// How much of a number the data told and how much the shape: one bar.
+// How much of a number comes from the data and how much from the shape, as a bar.
 #include <QWidget>
 
 namespace heft {

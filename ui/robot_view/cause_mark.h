@@ -1,6 +1,6 @@
 #pragma once
 // What the reality check found, drawn on the arm where it acts: a frame that is turned, a base that is tilted, a push,
-// a load that changes, a mass that swings, a sensor that sits elsewhere.
+// a load that changes, a mass that swings, a misplaced sensor.
 #include <QString>
 #include <optional>
 #include <vector>
@@ -24,7 +24,7 @@ struct CauseMark {
   Vector3d vector = Vector3d::Zero();
   bool inBase = false;             ///< The vector of a push is in B axes, else in S axes.
   Vector3d at = Vector3d::Zero();  ///< S axes [m]
-  double enlarged = 1.0;           ///< Angles and lengths are drawn so many times larger; the note says so.
+  double enlarged = 1.0;           ///< Factor by which angles and lengths are exaggerated; the note says so.
   QString title, note;             ///< "The sensor’s true axes", "5.0°, drawn 3× larger"
 };
 

@@ -12,7 +12,7 @@ class QPainter;
 namespace heft {
 
 struct DimensionLine {
-  /// Edges of this length, S axes [m]; the one that lies freest in the picture is taken.
+  /// Edges of this length, S axes [m]; the least obstructed one is used.
   std::vector<std::pair<Vector3d, Vector3d>> edges;
   QString text;   ///< "64 mm"
   int tone = -1;  ///< 0, 1, 2: colour of an axis
@@ -20,7 +20,7 @@ struct DimensionLine {
   int id = -1;  ///< Of the handle that changes this length; the number can then be typed in the picture.
 };
 
-/// Where a line lies in the picture [px].
+/// A line's place in the picture [px].
 struct PlacedDimension {
   const DimensionLine* line = nullptr;
   QPointF from, to;  ///< The edge

@@ -1,5 +1,5 @@
 #pragma once
-// The arm once more, translucent in the accent colour: a motion that is suggested, not the one that was made.
+// A second arm, translucent in the accent colour: a suggested motion, not the recorded one.
 #include <vtkRenderer.h>
 
 #include <vector>

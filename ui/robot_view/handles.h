@@ -1,7 +1,7 @@
 #pragma once
 // Things that can be grabbed in the 3D view and dragged along a line, in a plane or round a circle. A step makes a set,
-// gives it to RobotView::setHandles while it is shown, and listens: grabbed, dragged (again and again), then released
-// or cancelled. Every drag is told from where it began, so the listener may move the handles meanwhile.
+// gives it to HandleLayer::setHandles while it is shown, and listens: grabbed, dragged (again and again), then released
+// or cancelled. Every drag is reported relative to its start, so the listener may move the handles during it.
 #include <QObject>
 #include <QPointF>
 #include <QSizeF>
@@ -29,7 +29,7 @@ struct Handle {
   Vector3d centre = Vector3d::Zero();  ///< With Way::circle [m]
   int tone = -1;                       ///< 0, 1, 2: colour and letter of an axis; else neutral
   double grabRadius = 0.0;             ///< Can be grabbed anywhere this near to `point` [m], besides its knob.
-  bool shown = true;  ///< Draws knob and arrow or circle; else only the pointer tells that it is there.
+  bool shown = true;  ///< Draws knob and arrow or circle; else only the pointer shows that it is there.
   bool arrow = true;  ///< With Way::line: an arrow with the axis' letter besides the knob.
   QString tip;        ///< What it does: "height 64 mm"
 };

@@ -77,6 +77,30 @@ void OrbitCamera::fit(const std::vector<Vector3d>& points, double aspect, double
   }
 }
 
+void turnTo(OrbitCamera& camera, ViewPreset preset) {
+  switch (preset) {
+    case ViewPreset::overview:
+      camera.azimuth = -0.95;
+      camera.elevation = 0.20;
+      break;
+    case ViewPreset::front:
+      camera.azimuth = 0.0;
+      camera.elevation = 0.05;
+      break;
+    case ViewPreset::side:
+      camera.azimuth = -std::numbers::pi / 2;
+      camera.elevation = 0.05;
+      break;
+    case ViewPreset::top:
+      camera.azimuth = -std::numbers::pi / 2;
+      camera.elevation = kSteepest;
+      break;
+    case ViewPreset::tool:
+      camera.elevation = std::clamp(camera.elevation, 0.0, 0.35);
+      break;
+  }
+}
+
 void turnToAxes(OrbitCamera& camera, const Matrix3d& axes) {
   constexpr double kEnough = 0.5;  // Sine of the angle between an axis and the line of sight.
   const OrbitCamera before = camera;

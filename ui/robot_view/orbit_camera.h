@@ -25,9 +25,10 @@ struct OrbitCamera {
   Vector3d right() const;
   Vector3d pictureUp() const;
 
-  /// Where a point [m, B axes] is in a picture of this size [pixels, from the top left]; far outside if it lies behind.
+  /// Where a point [m, B axes] is in a picture of this size [pixels, from the top left]; far outside if it is behind
+  /// the camera.
   Eigen::Vector2d pixelOf(const Vector3d& point, double width, double height) const;
-  /// What lies under a pixel.
+  /// The ray through a pixel.
   Ray rayThrough(const Eigen::Vector2d& pixel, double width, double height) const;
   /// Length that one pixel covers at this point's depth [m].
   double metresPerPixel(const Vector3d& point, double height) const;
@@ -41,6 +42,10 @@ struct OrbitCamera {
   /// (share of the picture) free on every side, and `marginRight` at the right.
   void fit(const std::vector<Vector3d>& points, double aspect, double margin, double marginRight);
 };
+
+enum class ViewPreset { overview, front, side, top, tool };
+/// Only the direction; for the tool the one that is, not too steep.
+void turnTo(OrbitCamera& camera, ViewPreset preset);
 
 /// Turns the camera as little as is needed for none of the axes to point at the viewer: what is dragged along them must
 /// be seen from the side.

@@ -1,33 +1,28 @@
 #pragma once
 // The 3D half of the window: arm, tool and path at one instant of the recording, with labels and view tools.
 #include <QImage>
-#include <QPointF>
-#include <QPointer>
 #include <QWidget>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "core/collision/clearance.h"
 #include "core/estimation/estimate.h"
 #include "core/payload/shape.h"
 #include "core/recording/recording.h"
 #include "core/robot/robot_model.h"
-#include "ui/robot_view/cause_mark.h"
-#include "ui/robot_view/dimension_lines.h"
-#include "ui/robot_view/handles.h"
-#include "ui/robot_view/pull_mark.h"
-#include "ui/robot_view/robot_look.h"
+#include "ui/robot_look/robot_look.h"
+#include "ui/robot_view/handle_layer.h"
+#include "ui/robot_view/orbit_camera.h"
+#include "ui/robot_view/step_note.h"
+#include "ui/robot_view/view_marks.h"
 
-class QLabel;
 class QPainter;
 
 namespace heft {
 
-class DimensionEditor;
 class LabelOverlay;
-class PosedArm;
-class SceneTrack;
+class ShownMotion;
+class ViewTools;
 class Viewport;
 struct SceneParts;
 struct PayloadLook;
@@ -63,36 +58,17 @@ class RobotView : public QWidget {
   void showTool(std::vector<ShapeBody> bodies, int selected = -1);
   /// While its shape is edited: close to the tool, and nothing in the way. Off brings the earlier view back.
   void setToolEditing(bool editing);
-  /// What the shown step lets one grab; null for nothing. Taken out again by the step that put it in.
-  void setHandles(HandleSet* handles);
-  /// Where a handle's knob is, pixels of the viewport; for tests.
-  std::optional<QPointF> knob(int id) const;
-  void setDimensions(std::vector<DimensionLine> lines);
-  /// Where the label of a handle's length is, pixels of the viewport; for tests.
-  std::optional<QPointF> dimensionLabel(int id) const;
-  /// What to do here, and the step's own tools beside it, at the top left. The view does not own the tools.
-  void setStepNote(const QString& text);
-  void setStepTools(QWidget* tools);
-  /// A second arm in these joint angles, translucent: a suggested motion. Nothing hides it.
-  void showGhost(const std::optional<VectorXd>& joints);
-  /// The way of the suggested motion, B axes [m]; empty hides it.
-  void showGhostWay(const std::vector<Vector3d>& way);
-  /// What stands around the arm; without obstacles nothing. It stays until it is replaced.
-  void showRoom(const Room& room);
-  /// Of arm and tool, about the ghost; empty hides them.
-  void showHulls(const std::vector<HullSurface>& hulls);
-  /// The two bodies that are nearest to each other; nothing hides the mark. Taken out again by the step that put it in.
-  void showGap(const std::optional<Nearest>& gap);
-  const std::optional<Nearest>& gap() const { return gap_; }
-  /// What pulls at the tool; nothing hides it. Taken out again by the step that put it in.
-  void showPull(const std::optional<PullMark>& pull);
-  /// What else was found to act on arm and tool; likewise.
-  void showCauses(std::vector<CauseMark> causes);
-  const std::vector<CauseMark>& causes() const { return causes_; }
-  /// Titles of the labels shown; for tests.
+
+  /// What the shown step lets one grab.
+  HandleLayer& handles() { return *handles_; }
+  /// What the shown step says and offers here.
+  StepNote& note() { return *note_; }
+  /// What steps put into the picture and take out again.
+  ViewMarks& marks() { return *marks_; }
+  const ViewMarks& marks() const { return *marks_; }
+  /// Titles of the labels shown, and where they stand, pixels of the viewport; for tests.
   QStringList labelTexts() const;
-  /// Words at the end of that way.
-  void setGhostLabel(const QString& title, const QString& note);
+  std::vector<QRectF> labelPlaces() const;
 
   /// Shows a moving arm instead of a recording, which comes back with endLive(). Robot and look are null where only the
   /// sensor's pose is known.
@@ -104,14 +80,10 @@ class RobotView : public QWidget {
   void endLive();
 
   /// X_BS as drawn now.
-  Isometry3d sensorPose() const { return X_BS_; }
+  Isometry3d sensorPose() const;
 
-  enum class Preset { overview, front, side, top, tool };
+  using Preset = ViewPreset;
   void usePreset(Preset preset);
-
-  /// Where labels and the note stand, pixels of the viewport; for tests.
-  std::vector<QRectF> labelPlaces() const;
-  QRectF notePlace() const;
 
   /// Renders the present state at once and smoothly, for pictures.
   void renderNow();
@@ -121,29 +93,23 @@ class RobotView : public QWidget {
 
  signals:
   void pictureWanted();
-  /// A length was typed where it stands in the picture: its handle's id, and what was typed.
-  void dimensionTyped(int id, const QString& text);
 
  protected:
   void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void buildTools();
   void rebuildPath();
-  void rebuildSweep();
   /// Lets the stand-in follow a recording of poses, where it can.
   void poseStandIn();
   void updateInstant();
   void updateLabels();
   /// What labels name, as rectangles of the picture on the screen.
   std::vector<QRectF> namedPlaces() const;
-  /// The arm's links, likewise.
+  /// The arm's links as such rectangles.
   std::vector<QRectF> linkPlaces() const;
   void updateNote();
-  /// At the top left, or at the bottom where that would cover what is shown.
-  void placeNote(const std::vector<QRectF>& subjects);
-  /// What report_ tells of centre and inertia; nothing without one.
+  /// The centre of mass and inertia of report_, if any.
   void showPayload();
   void clearEstimate();
   void applyParts();
@@ -152,45 +118,32 @@ class RobotView : public QWidget {
   void showWrench(const Isometry3d& X_BS, Vector6d wrench);
   void dress(std::shared_ptr<const RobotLook> look, const SensorMount& mount);
   void paintOver(QPainter& painter) const;
-  std::vector<PlacedDimension> placedDimensions() const;
 
   Viewport* viewport_;
   LabelOverlay* overlay_;
-  QWidget* tools_;
-  QLabel* note_;
+  ViewTools* tools_;
   SceneState& scene_;  ///< What the viewport draws
   std::unique_ptr<SceneParts> parts_;
-  std::unique_ptr<SceneTrack> track_;
-  std::shared_ptr<const Recording> recording_;
+  HandleLayer* handles_;
+  std::unique_ptr<ViewMarks> marks_;
+  std::unique_ptr<StepNote> note_;
+  std::unique_ptr<ShownMotion> motion_;  ///< Null without a recording.
   std::shared_ptr<const RobotModel> robot_;
   std::shared_ptr<const RobotLook> look_;
   std::shared_ptr<const RobotModel> standIn_;  ///< For recordings without a robot
   std::shared_ptr<const RobotLook> standInLook_;
-  std::unique_ptr<PosedArm> posed_;  ///< Null unless it stands in
   std::shared_ptr<const EstimateReport> report_;
   std::vector<Vector3d> sweep_;  ///< Where arm and tool get in this recording, B axes [m].
   double time_ = 0.0;
   double pathAbout_ = 0.0;  ///< [s] The instant that the path of a long recording is shown about
   bool labelsShown_ = true;
   Preset preset_ = Preset::overview;
-  Isometry3d X_BS_ = Isometry3d::Identity();
   std::vector<ShapeBody> tool_;
   bool editing_ = false;
   struct LookBefore;
   std::unique_ptr<LookBefore> before_;  ///< Camera before editing.
-  QPointer<HandleSet> handles_;
-  std::vector<DimensionLine> dimensions_;
-  DimensionEditor* editor_;
-  std::optional<PullMark> pull_;
-  std::optional<Nearest> gap_;
-  std::vector<CauseMark> causes_;
   struct Kept;
   std::unique_ptr<Kept> kept_;  ///< What was shown before something live; null otherwise.
-  std::optional<Vector3d> ghostEnd_;
-  QString ghostTitle_, ghostNote_;
-  QString stepNote_;
-  int noteWay_ = 0;  ///< Even: in one line; from 2: at the bottom.
-  QPointer<QWidget> stepTools_;
   bool cameraTouched_ = false;  ///< The user moved it: no automatic fit on resize.
 };
 

@@ -105,7 +105,7 @@ std::vector<Vector3d> SceneState::outline() const {
 std::vector<Vector3d> SceneState::toolOutline(bool alone) const {
   std::vector<Vector3d> points;
   if (alone) {
-    // A hand's breadth of the arm tells where the tool is.
+    // A hand's breadth of the arm shows where the tool is.
     for (const double z : {-0.10, 0.09})
       for (int a = 0; a < 2; ++a)
         for (const double side : {-0.08, 0.08})

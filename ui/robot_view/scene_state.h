@@ -9,13 +9,13 @@
 #include "core/math/rigid.h"
 #include "core/payload/shape.h"
 #include "core/recording/recording.h"
-#include "ui/robot_view/robot_look.h"
+#include "ui/robot_look/robot_look.h"
 #include "ui/robot_view/room_solid.h"
 #include "ui/robot_view/tool_solid.h"
 
 namespace heft {
 
-// Lengths that both the drawing and what has to fit into the picture go by [m].
+// Lengths used both for drawing and for fitting the picture [m].
 inline constexpr double kFullArrow = 0.22;
 inline constexpr double kGravityArrow = 0.2;
 inline constexpr double kAxisLength = 0.13;

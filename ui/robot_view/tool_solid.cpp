@@ -36,7 +36,7 @@ Vector3d around(double angle, double radius, double z) {
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
-/// Faces that one stretch of the outline sweeps; the outline goes so that the outside is at its right, seen with z up.
+/// Faces that one segment of the outline sweeps; the outline goes so that the outside is at its right, seen with z up.
 void sweep(MeshPart& part, Outline a, Outline b, double normalA, double normalB) {
   // normalA, normalB: angle of the normal above the xy plane at both ends.
   for (int s = 0; s < kSides; ++s) {

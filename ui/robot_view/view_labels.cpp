@@ -1,14 +1,13 @@
 // What stands over the 3D picture in words: labels with their leaders, and the note of the step.
-#include <QLabel>
 #include <QLineF>
 #include <QPolygonF>
 #include <algorithm>
 
 #include "ui/models/numbers.h"
-#include "ui/robot_view/gap_mark.h"
 #include "ui/robot_view/label_overlay.h"
 #include "ui/robot_view/robot_view.h"
 #include "ui/robot_view/scene_state.h"
+#include "ui/robot_view/view_tools.h"
 #include "ui/robot_view/viewport.h"
 
 namespace heft {
@@ -34,16 +33,13 @@ void RobotView::updateLabels() {
                                          : tr("95 % region"));
     if (!kept_) add(anchors.box, tr("equal-inertia box"));
     add(anchors.gravity, tr("gravity"));
-    if (!ghostTitle_.isEmpty()) add(ghostEnd_, ghostTitle_, ghostNote_);
+    add(marks_->ghostEnd(), marks_->ghostTitle(), marks_->ghostNote());
     if (editing_) add(anchors.sensor, tr("sensor, tool side"), tr("the shape is mounted here"));
   }
-  if (gap_) add(0.5 * (gap_->onFirst + gap_->onSecond), gapTitle(*gap_), gapNote(*gap_));
-  for (const CauseMark& cause : causes_)
-    labels.push_back({causePixel(cause, X_BS_, scene_.down, view), cause.title, cause.note});
-  if (pull_) labels.push_back({pullPixel(*pull_, X_BS_.translation(), view), pull_->title, pull_->note});
+  marks_->addLabels(labels, view);
   std::vector<QRectF> subjects = namedPlaces();
   for (const ViewLabel& label : labels) subjects.push_back(QRectF(label.anchor - QPointF(6, 6), QSizeF(12, 12)));
-  placeNote(subjects);
+  note_->place(subjects);
   std::array<QPointF, 3> ends;
   bool axesShown = labelsShown_;
   for (int a = 0; a < 3; ++a) {
@@ -54,9 +50,8 @@ void RobotView::updateLabels() {
   LabelRoom room;
   std::vector<QRectF>& taken = room.taken;
   taken = {QRectF(tools_->geometry())};
-  if (note_->isVisibleTo(viewport_)) taken.push_back(notePlace());
-  if (stepTools_ && stepTools_->isVisibleTo(viewport_)) taken.push_back(QRectF(stepTools_->geometry()));
-  for (const PlacedDimension& each : placeDimensions(dimensions_, X_BS_, view)) taken.push_back(each.label);
+  for (const QRectF& place : note_->places()) taken.push_back(place);
+  for (const QRectF& place : handles_->labelPlaces(view)) taken.push_back(place);
   if (axesShown)
     for (const QPointF& end : ends) room.letters.push_back(QRectF(end - QPointF(9, 9), QSizeF(18, 18)));
   room.subjects = std::move(subjects);
@@ -85,45 +80,12 @@ std::vector<QRectF> RobotView::namedPlaces() const {
     for (const Vector3d& point : piece) outline << view.pixelOf(point);
     places.push_back(outline.boundingRect().adjusted(-4, -4, 4, 4));
   }
-  if (pull_) {
-    const QPointF from = view.pixelOf(X_BS_.translation()), to = pullPixel(*pull_, X_BS_.translation(), view);
-    constexpr int kLengths = 6;
-    for (int k = 0; k < kLengths; ++k)
-      places.push_back(QRectF(from + (to - from) * k / kLengths, from + (to - from) * (k + 1) / kLengths)
-                           .normalized()
-                           .adjusted(-8, -8, 8, 8));
-  }
+  for (const QRectF& place : marks_->pullPlaces(view)) places.push_back(place);
   return places;
-}
-
-void RobotView::placeNote(const std::vector<QRectF>& subjects) {
-  const double least = stepTools_ ? stepTools_->geometry().bottom() + 10 : 14;
-  note_->setWordWrap(false);
-  const QSize line = note_->sizeHint();
-  note_->setWordWrap(true);
-  const int narrow = std::min(line.width(), 240);
-  const QSize lines(narrow, note_->heightForWidth(narrow));
-  const auto placeOf = [&](int way) {
-    const QSize size = way % 2 == 0 ? line : lines;
-    const double y = way < 2 ? least : viewport_->height() - size.height() - 14;
-    return QRectF(QPointF(16, y), QSizeF(size));
-  };
-  const auto covers = [&](int way, double margin) {
-    const QRectF place = placeOf(way).adjusted(-margin, -margin, margin, margin);
-    return std::any_of(subjects.begin(), subjects.end(), [&](const QRectF& each) { return each.intersects(place); });
-  };
-  // In one line, in several; at the top, at the bottom. It goes back only where there is clearly room.
-  int way = 0;
-  while (way < 4 && covers(way, way < noteWay_ ? 24 : 0)) ++way;
-  noteWay_ = way < 4 ? way : 1;
-  note_->setWordWrap(noteWay_ % 2 == 1);
-  note_->setGeometry(placeOf(noteWay_).toRect());
 }
 
 QStringList RobotView::labelTexts() const { return overlay_->titles(); }
 
 std::vector<QRectF> RobotView::labelPlaces() const { return overlay_->placed(); }
-
-QRectF RobotView::notePlace() const { return note_->isHidden() ? QRectF() : QRectF(note_->geometry()); }
 
 }  // namespace heft

@@ -1,5 +1,5 @@
 #pragma once
-// The lengths of one body in a row, and where a tool sits: steppers in mm and degrees.
+// The lengths of one body in a row, and the tool's pose: steppers in mm and degrees.
 #include <QWidget>
 #include <array>
 #include <vector>

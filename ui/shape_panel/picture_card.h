@@ -7,7 +7,7 @@
 
 namespace heft {
 
-/// Draws the picture in the colours of the theme in force, filling `place`.
+/// Draws the picture in the colours of the current theme, filling `place`.
 void paintToolPicture(QPainter& painter, ToolPicture picture, const QRectF& place);
 
 class PictureCard : public QAbstractButton {

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <QVariant>
 #include <algorithm>
 
 #include "ui/controller/workspace.h"
@@ -372,12 +373,12 @@ void ShapePanel::showView() {
   if (mode_ == ToolMode::size && given && picture() == ToolPicture::mesh) mode_ = ToolMode::move;
   modes_->button(0)->setEnabled(picture() != ToolPicture::mesh);
   modes_->setChosen(static_cast<int>(mode_));
-  parts().view->setStepTools(given ? modes_ : nullptr);
-  parts().view->setStepNote(!given                    ? tr("Choose a shape to place it here")
-                            : mode_ == ToolMode::size ? tr("Drag a white handle to change the size")
-                            : mode_ == ToolMode::move
-                                ? tr("Drag an arrow to move along an axis, the centre to move freely")
-                                : tr("Drag a ring to tilt the tool"));
+  parts().view->note().setTools(given ? modes_ : nullptr);
+  parts().view->note().setText(!given                    ? tr("Choose a shape to place it here")
+                               : mode_ == ToolMode::size ? tr("Drag a white handle to change the size")
+                               : mode_ == ToolMode::move
+                                   ? tr("Drag an arrow to move along an axis, the centre to move freely")
+                                   : tr("Drag a ring to tilt the tool"));
   if (given) {
     Shape shown = choice().shape;
     shown.bodies = bodiesWithMeshes();
@@ -385,7 +386,7 @@ void ShapePanel::showView() {
   } else {
     handles_.setHandles({});
   }
-  parts().view->setHandles(&handles_);
+  parts().view->handles().setHandles(&handles_);
   showHandles();
 }
 
@@ -393,9 +394,9 @@ void ShapePanel::showHandles() {
   if (!here_ || !parts().view) return;
   const bool given = choice().answer == Answer::given && !pendingMesh_;
   const auto current = handles_.current();
-  parts().view->setDimensions(given && mode_ == ToolMode::size
-                                  ? toolDimensions(choice().shape, picture(), selected_, current)
-                                  : std::vector<DimensionLine>{});
+  parts().view->handles().setDimensions(given && mode_ == ToolMode::size
+                                            ? toolDimensions(choice().shape, picture(), selected_, current)
+                                            : std::vector<DimensionLine>{});
   for (const auto& [index, form] : bodies_) {
     const bool ofThis = current && mode_ == ToolMode::size && bodyOfHandle(*current) == index && !choosesBody(*current);
     form->setStrong(ofThis ? *current % 32 : -1);

@@ -48,7 +48,7 @@ ShapePanel::ShapePanel(const StudioParts& parts) : StepPanel(parts), handles_(Ha
     modes_->setChosen(0);
     connect(modes_, &Segments::picked, this, [this](int index) { setMode(static_cast<ToolMode>(index)); });
     parts.view->installEventFilter(this);
-    connect(parts.view, &RobotView::dimensionTyped, this, &ShapePanel::typeLength);
+    connect(&parts.view->handles(), &HandleLayer::dimensionTyped, this, &ShapePanel::typeLength);
   }
   refresh();
 }
@@ -97,10 +97,10 @@ void ShapePanel::left() {
   here_ = false;
   if (!parts().view) return;
   handles_.cancel();
-  parts().view->setHandles(nullptr);
-  parts().view->setDimensions({});
-  parts().view->setStepTools(nullptr);
-  parts().view->setStepNote({});
+  parts().view->handles().setHandles(nullptr);
+  parts().view->handles().setDimensions({});
+  parts().view->note().setTools(nullptr);
+  parts().view->note().setText({});
   parts().view->setAcceptDrops(false);
   showView();
   parts().view->setToolEditing(false);
@@ -212,7 +212,7 @@ void ShapePanel::pickUnknown() {
 }
 
 QString ShapePanel::change(Shape next, const QString& text, int key) {
-  if (const QString why = shapeProblem(next); !why.isEmpty()) return why;
+  if (QString why = shapeProblem(next); !why.isEmpty()) return why;
   ShapeChoice edited = choice();
   edited.shape = std::move(next);
   setChoice(edited, text, key);
@@ -281,7 +281,7 @@ void ShapePanel::setMode(ToolMode mode) {
 void ShapePanel::select(int body) {
   if (body == selected_) return;
   selected_ = body;
-  // Not while a handle of the page that is replaced tells of a press.
+  // Not while a handle of the page being replaced is handling a press.
   QTimer::singleShot(0, this, &ShapePanel::refresh);
 }
 
@@ -312,8 +312,7 @@ ScriptForms ShapePanel::scriptForms() {
 std::optional<Result<bool>> ShapePanel::obey(const QStringList& words) {
   if (words[0] == "handles") {
     const QStringList names{"size", "move", "tilt"};
-    if (words.size() != 2 || !names.contains(words[1]))
-      return Result<bool>(Error{tr("handles expects size, move or tilt.").toStdString()});
+    if (words.size() != 2 || !names.contains(words[1])) return std::nullopt;
     setMode(static_cast<ToolMode>(names.indexOf(words[1])));
     return Result<bool>(true);
   }

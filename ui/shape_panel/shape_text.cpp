@@ -236,6 +236,53 @@ QString shapeProblem(const Shape& shape) {
   return QString::fromStdString(why);
 }
 
+namespace {
+
+/// What follows the picture and its sizes, from word `i`: place, wall, weight, material, certainty.
+Result<bool> takeProperties(const QStringList& words, int i, ShapeChoice& next) {
+  for (; i < words.size(); ++i) {
+    if (const auto certainty = certaintyFromString(words[i].toStdString())) {
+      next.shape.certainty = *certainty;
+    } else if (words[i] == "at" && i + 1 < words.size()) {
+      std::vector<double> pose;
+      for (const QString& part : words[++i].split(',')) {
+        bool ok = false;
+        pose.push_back(part.toDouble(&ok));
+        if (!ok) pose.clear();
+        if (!ok) break;
+      }
+      if (pose.size() != 3 && pose.size() != 6)
+        return wrong(ShapeText::tr("“at” expects x,y,z in mm, or with roll, pitch and yaw in degrees: at 0,0,60"));
+      const Vector3d xyz = 1e-3 * Vector3d(pose[0], pose[1], pose[2]);
+      const Vector3d rpy =
+          pose.size() == 6 ? Vector3d(kRadPerDegree * Vector3d(pose[3], pose[4], pose[5])) : Vector3d::Zero();
+      const Isometry3d to = poseFromXyzRpy(xyz, rpy), from = next.shape.bodies.front().X_SB;
+      // The first body stands there, the others as they do beside it.
+      for (ShapeBody& body : next.shape.bodies) body.X_SB = to * from.inverse() * body.X_SB;
+    } else if ((words[i] == "wall" || words[i] == "weighs") && i + 1 < words.size()) {
+      const bool wall = words[i] == "wall";
+      bool ok = false;
+      const double value = words[++i].toDouble(&ok);
+      if (!ok) return wrong(ShapeText::tr("“%1” expects a number.").arg(words[i - 1]));
+      if (wall)
+        for (ShapeBody& body : next.shape.bodies) body.wall = 1e-3 * value;
+      else
+        next.shape.totalMass = value;
+    } else if (words[i] == "of" && i + 1 < words.size()) {
+      ++i;
+      const auto& all = materials();
+      const auto found = std::find_if(all.begin(), all.end(), [&](const Material& m) { return m.id == words[i]; });
+      if (found == all.end()) return wrong(ShapeText::tr("“of” expects steel, aluminium, plastic or wood."));
+      for (ShapeBody& body : next.shape.bodies) body.density = found->density;
+    } else {
+      return wrong(ShapeText::tr("“%1” is not understood after shape; see heft-studio --help.").arg(words[i]));
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
 Result<ShapeChoice> shapeFromWords(const QStringList& words, const ShapeChoice& now) {
   const auto picture = toolPictureFromString(words.value(0).toStdString());
   if (!picture)
@@ -279,44 +326,7 @@ Result<ShapeChoice> shapeFromWords(const QStringList& words, const ShapeChoice& 
       next.shape.bodies[b] = *body;
     }
   }
-  for (; i < words.size(); ++i) {
-    if (const auto certainty = certaintyFromString(words[i].toStdString())) {
-      next.shape.certainty = *certainty;
-    } else if (words[i] == "at" && i + 1 < words.size()) {
-      std::vector<double> pose;
-      for (const QString& part : words[++i].split(',')) {
-        bool ok = false;
-        pose.push_back(part.toDouble(&ok));
-        if (!ok) pose.clear();
-        if (!ok) break;
-      }
-      if (pose.size() != 3 && pose.size() != 6)
-        return wrong(ShapeText::tr("“at” expects x,y,z in mm, or with roll, pitch and yaw in degrees: at 0,0,60"));
-      const Vector3d xyz = 1e-3 * Vector3d(pose[0], pose[1], pose[2]);
-      const Vector3d rpy =
-          pose.size() == 6 ? Vector3d(kRadPerDegree * Vector3d(pose[3], pose[4], pose[5])) : Vector3d::Zero();
-      const Isometry3d to = poseFromXyzRpy(xyz, rpy), from = next.shape.bodies.front().X_SB;
-      // The first body stands there, the others as they do beside it.
-      for (ShapeBody& body : next.shape.bodies) body.X_SB = to * from.inverse() * body.X_SB;
-    } else if ((words[i] == "wall" || words[i] == "weighs") && i + 1 < words.size()) {
-      const bool wall = words[i] == "wall";
-      bool ok = false;
-      const double value = words[++i].toDouble(&ok);
-      if (!ok) return wrong(ShapeText::tr("“%1” expects a number.").arg(words[i - 1]));
-      if (wall)
-        for (ShapeBody& body : next.shape.bodies) body.wall = 1e-3 * value;
-      else
-        next.shape.totalMass = value;
-    } else if (words[i] == "of" && i + 1 < words.size()) {
-      ++i;
-      const auto& all = materials();
-      const auto found = std::find_if(all.begin(), all.end(), [&](const Material& m) { return m.id == words[i]; });
-      if (found == all.end()) return wrong(ShapeText::tr("“of” expects steel, aluminium, plastic or wood."));
-      for (ShapeBody& body : next.shape.bodies) body.density = found->density;
-    } else {
-      return wrong(ShapeText::tr("“%1” is not understood after shape; see heft-studio --help.").arg(words[i]));
-    }
-  }
+  if (auto said = takeProperties(words, i, next); !said) return said.error();
   if (*picture != ToolPicture::mesh) {
     if (const QString why = shapeProblem(next.shape); !why.isEmpty()) return wrong(why);
   }

@@ -24,7 +24,7 @@ QString tipForBody(int index);
 QString bodyTitle(const ShapeBody& body);
 /// The line in the bar of steps: "box, 60 × 40 × 120 mm", "gripper-like, 2 boxes".
 QString shapeLine(const ShapeChoice& choice);
-/// What was picked; where nobody picked a picture the shape tells.
+/// The picture that was picked; without one, it follows from the shape.
 ToolPicture pictureOf(const ShapeChoice& choice);
 
 /// "Good: each length is right to about 4 %, like a ruler reading."

@@ -78,7 +78,7 @@ void WeightField::take() {
 }
 
 void WeightField::showWeight(std::optional<double> kilograms) {
-  // Not while something is being typed, unless it became another weight meanwhile (undo).
+  // Not while the user is typing, unless the weight has changed in the meantime (undo).
   if (field_->isModified() && kilograms == shown_) return;
   shown_ = kilograms;
   const bool grams = unit_->currentIndex() == 1;
@@ -119,7 +119,7 @@ SubstanceForm::SubstanceForm(const ShapeBody& body, bool part, QWidget* parent) 
   grid->addWidget(weight_, 1, 0);
   connect(weight_, &WeightField::changed, this, &SubstanceForm::weightChanged);
 
-  const bool mayBeHollow = body.kind != BodyKind::tube;  // That one is hollow by itself.
+  const bool mayBeHollow = body.kind != BodyKind::tube;  // A tube is hollow anyway.
   if (mayBeHollow) {
     grid->addWidget(styledLabel(tr("Interior"), "caption", this), 0, 1);
     inside_ = new Segments({tr("Solid"), body.kind == BodyKind::mesh ? tr("Thin shell") : tr("Hollow")},

@@ -28,7 +28,7 @@ bool edited(ToolPicture picture, int selected, std::size_t body) {
   return picture != ToolPicture::several || static_cast<int>(body) == selected;
 }
 
-/// The measure whose arrow carries the letter of its axis: one a direction, on the body that reaches farthest.
+/// The measure whose arrow carries the letter of its axis: one per direction, on the body that reaches farthest.
 bool hasArrow(ToolPicture picture, std::size_t body, int axis) {
   return picture != ToolPicture::gripper || (axis == 2) == (body == 1);
 }
@@ -179,7 +179,7 @@ Shape dragTool(const Shape& start, ToolPicture picture, int selected, const Hand
     const auto measures = measuresOf(start.bodies[body]);
     const auto m = static_cast<std::size_t>(id);
     if (m >= measures.size()) return start;
-    // The knob sits on one side: of a length that grows to both, it tells half.
+    // The knob is on one side: of a length that grows to both sides, it shows half.
     const bool oneSided = measures[m].axis == 2;
     const double wanted = measures[m].value + (oneSided ? 1.0 : 2.0) * drag.along;
     return resized(start, picture, body, m, std::max(1e-3, rounded(wanted, millimetre)));

@@ -54,7 +54,7 @@ class StepPanel : public QWidget {
 
   /// The session or the program is to be closed: keeps what is under way, or lets the user go on with it (false).
   virtual bool mayEnd() { return true; }
-  /// The program has to end at once: keeps what is under way without asking.
+  /// The program must exit now: saves what is under way without asking.
   virtual void keepUnderWay() {}
 
   /// A key that no control wanted while this step is shown; true if it was used.
@@ -72,9 +72,9 @@ class StepPanel : public QWidget {
   }
 
  signals:
-  /// state() would answer differently.
+  /// state() has changed.
   void stateChanged();
-  /// below() would answer differently.
+  /// below() has changed.
   void arrangementChanged();
 
  protected:

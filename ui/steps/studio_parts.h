@@ -39,7 +39,7 @@ struct StudioParts {
   std::function<void(const QImage&, const QString&)> savePicture;
   /// Leads through the steps with a sample recording; null in tests of a panel alone.
   std::function<void()> startTour;
-  bool asks = false;  ///< A person sits before it who can answer; else nothing is asked and everything is kept.
+  bool asks = false;  ///< A user can answer questions; otherwise nothing is asked and everything is kept.
   /// Shows the runner's work in the status line and counts it as the window being busy. The runner must live as long
   /// as the panel.
   std::function<void(JobRunner*)> followJobs = [](JobRunner*) {};

@@ -23,7 +23,7 @@ Result<std::vector<ScriptLine>> parseScript(std::string_view text, const std::st
 /// "1440x900" between 640x400 and 7680x4320; empty if it is no such size.
 std::optional<QSize> parseSize(const QString& text);
 
-/// The largest window that the script asks for, at least `least`: the screen has to hold it.
+/// The largest window that the script asks for, at least `least`: the screen must be able to hold it.
 QSize screenFor(const std::vector<ScriptLine>& lines, QSize least);
 
 }  // namespace heft

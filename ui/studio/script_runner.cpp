@@ -27,6 +27,14 @@ constexpr int kDrawing = 350;  ///< [ms] before a picture: then plots and 3D hav
 
 constexpr int kCalmTurns = 6;  ///< Of the event loop before a picture, however slow the machine is
 
+constexpr double kLongestWait = 3600.0;  ///< [s]
+
+std::optional<double> numberIn(const QStringList& words, int index) {
+  bool ok = false;
+  const double value = words.value(index).toDouble(&ok);
+  return ok ? std::optional(value) : std::nullopt;
+}
+
 Error wrong(const QString& sentence) { return Error{sentence.toStdString()}; }
 
 }  // namespace
@@ -43,9 +51,9 @@ ScriptForms ScriptRunner::forms() {
       {"channels ID ... | channels none", "further channels in the plots: q1, dq1, px, roll, speed, force ..."},
       {"alone view|plots|off", "one pane without the rest"},
       {"measure A B | table FILE", "two cursors; the visible segment as CSV"},
-      {"camera NAME", "whole, tool, front, side, top"},
+      {"camera whole|tool|front|side|top", ""},
       {"details on|off | theme light|dark | language en|de | size WIDTHxHEIGHT", ""},
-      {"units WORD ...", "kg or g, mm or inch, Nm or Nmm, degrees or radians"},
+      {"units kg|g|mm|inch|Nm|Nmm|degrees|radians ...", ""},
       {"manual", "open or close the manual"},
       {"click NAME", "a button by its object name"},
       {"picture FILE [window|view|plots|panel]", ""},
@@ -98,11 +106,11 @@ void ScriptRunner::finish(const QString& failure) {
   emit finished(failure);
 }
 
-Result<bool> ScriptRunner::takePicture(const QStringList& words) {
+std::optional<Result<bool>> ScriptRunner::takePicture(const QStringList& words) {
+  if (words[0] != "picture") return std::nullopt;
   const QString part = words.value(2, QStringLiteral("window"));
   const QImage image = studio_->window().pictureOf(part);
-  if (words.size() < 2 || words.size() > 3 || image.isNull())
-    return wrong(tr("picture expects a file and perhaps window, view, plots or panel."));
+  if (words.size() < 2 || words.size() > 3 || image.isNull()) return std::nullopt;
   if (!image.save(words[1]))
     return wrong(
         tr("%1 could not be written: check that the folder exists, may be written to, and that the name ends in "
@@ -113,13 +121,27 @@ Result<bool> ScriptRunner::takePicture(const QStringList& words) {
 
 Result<bool> ScriptRunner::obey(const QStringList& words) {
   const QString& verb = words[0];
+  if (const auto seconds = numberIn(words, 1); verb == "wait" && seconds && *seconds >= 0 && *seconds <= kLongestWait) {
+    wait_ = static_cast<int>(1000 * *seconds);
+    return true;
+  }
+  for (const auto part : {&ScriptRunner::obeySession, &ScriptRunner::obeyPlots, &ScriptRunner::obeyWindow,
+                          &ScriptRunner::obeyLooks, &ScriptRunner::takePicture})
+    if (auto obeyed = (this->*part)(words)) return *obeyed;
+  for (const Step step : kAllSteps) {
+    StepPanel* panel = studio_->window().panel(step);
+    if (!panel) continue;
+    if (auto obeyed = panel->obey(words)) return *obeyed;
+  }
+  if (const std::string known = formsOf(forms(), verb.toStdString()); !known.empty())
+    return wrong(tr("\"%1\" has none of the forms: %2").arg(words.join(' '), QString::fromStdString(known)));
+  return wrong(tr("Unknown command \"%1\"; see heft-studio --help.").arg(verb));
+}
+
+std::optional<Result<bool>> ScriptRunner::obeySession(const QStringList& words) {
+  const QString& verb = words[0];
   MainWindow& window = studio_->window();
   Workspace& workspace = studio_->workspace();
-  const auto number = [&](int index) -> std::optional<double> {
-    bool ok = false;
-    const double value = words.value(index).toDouble(&ok);
-    return ok ? std::optional(value) : std::nullopt;
-  };
   if (verb == "open" && words.size() > 1) {
     workspace.open(words.mid(1));
     return true;
@@ -150,9 +172,16 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
   }
   if (verb == "undo") return workspace.undoStack()->undo(), Result<bool>(true);
   if (verb == "redo") return workspace.undoStack()->redo(), Result<bool>(true);
-  if (verb == "time" && number(1)) return window.playback()->setTime(*number(1)), Result<bool>(true);
-  if (verb == "zoom" && number(1) && number(2))
-    return window.recordingPane()->timeAxis()->show(*number(1), *number(2)), Result<bool>(true);
+  return std::nullopt;
+}
+
+std::optional<Result<bool>> ScriptRunner::obeyPlots(const QStringList& words) {
+  const QString& verb = words[0];
+  MainWindow& window = studio_->window();
+  const auto first = numberIn(words, 1), second = numberIn(words, 2);
+  if (verb == "time" && first) return window.playback()->setTime(*first), Result<bool>(true);
+  if (verb == "zoom" && first && second)
+    return window.recordingPane()->timeAxis()->show(*first, *second), Result<bool>(true);
   if (verb == "channels" && words.size() > 1) {
     ChannelLanes* lanes = window.recordingPane()->channels();
     const QStringList wanted = words[1] == "none" ? QStringList() : words.mid(1);
@@ -162,22 +191,27 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
         return wrong(tr("The open recording has no channel %1.").arg(id));
     return lanes->setChosen(wanted), Result<bool>(true);
   }
-  if (verb == "alone" && words.size() == 2) {
-    using Alone = MainWindow::Alone;
-    if (words[1] != "view" && words[1] != "plots" && words[1] != "off")
-      return wrong(tr("alone expects view, plots or off."));
-    window.showAlone(words[1] == "view" ? Alone::view : words[1] == "plots" ? Alone::below : Alone::nothing);
-    return true;
-  }
-  if (verb == "measure" && number(1) && number(2)) {
+  if (verb == "measure" && first && second) {
     window.recordingPane()->setMeasuring(true);
-    window.playback()->setTime(*number(1));
-    emit window.recordingPane()->plots()->secondPicked(*number(2));
+    window.playback()->setTime(*first);
+    emit window.recordingPane()->plots()->secondPicked(*second);
     return true;
   }
   if (verb == "table" && words.size() == 2) {
     auto written = writeTextFile(words[1].toStdString(), window.recordingPane()->visibleText());
     return written ? Result<bool>(true) : Result<bool>(written.error());
+  }
+  return std::nullopt;
+}
+
+std::optional<Result<bool>> ScriptRunner::obeyWindow(const QStringList& words) {
+  const QString& verb = words[0];
+  MainWindow& window = studio_->window();
+  if (verb == "alone" && words.size() == 2) {
+    using Alone = MainWindow::Alone;
+    if (words[1] != "view" && words[1] != "plots" && words[1] != "off") return std::nullopt;
+    window.showAlone(words[1] == "view" ? Alone::view : words[1] == "plots" ? Alone::below : Alone::nothing);
+    return true;
   }
   if (verb == "camera") {
     using Preset = RobotView::Preset;
@@ -189,41 +223,10 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
     for (const auto& [name, preset] : presets) {
       if (words.value(1) == QLatin1String(name)) return window.robotView()->usePreset(preset), Result<bool>(true);
     }
-    return wrong(tr("camera expects whole, tool, front, side or top."));
+    return std::nullopt;
   }
   if (verb == "details" && (words.value(1) == "on" || words.value(1) == "off"))
     return window.showDetails(words[1] == "on"), Result<bool>(true);
-  if (verb == "theme" && (words.value(1) == "light" || words.value(1) == "dark"))
-    return studio_->setTheme(words[1] == "dark" ? ThemeKind::dark : ThemeKind::light), Result<bool>(true);
-  if (verb == "language") {
-    if (!studio_->setLanguage(words.value(1)))
-      return wrong(tr("language expects one of %1.").arg(Studio::languages().join(", ")));
-    return true;
-  }
-  if (verb == "units" && words.size() > 1) {
-    UnitChoice choice = units();
-    const std::tuple<const char*, bool UnitChoice::*, bool> known[] = {{"kg", &UnitChoice::grams, false},
-                                                                       {"g", &UnitChoice::grams, true},
-                                                                       {"mm", &UnitChoice::inches, false},
-                                                                       {"inch", &UnitChoice::inches, true},
-                                                                       {"Nm", &UnitChoice::newtonMillimetres, false},
-                                                                       {"Nmm", &UnitChoice::newtonMillimetres, true},
-                                                                       {"degrees", &UnitChoice::radians, false},
-                                                                       {"radians", &UnitChoice::radians, true}};
-    for (const QString& word : words.mid(1)) {
-      const auto it = std::find_if(std::begin(known), std::end(known),
-                                   [&](const auto& each) { return word == QLatin1String(std::get<0>(each)); });
-      if (it == std::end(known))
-        return wrong(tr("%1 is not a unit; units expects kg, g, mm, inch, Nm, Nmm, degrees or radians.").arg(word));
-      choice.*std::get<1>(*it) = std::get<2>(*it);
-    }
-    return studio_->setUnits(choice), Result<bool>(true);
-  }
-  if (verb == "size") {
-    const auto size = parseSize(words.value(1));
-    if (!size) return wrong(tr("size expects WIDTHxHEIGHT between 640x400 and 7680x4320."));
-    return studio_->setSize(*size), Result<bool>(true);
-  }
   if (verb == "manual" && words.size() == 1) return window.showManual(!window.manualShown()), Result<bool>(true);
   if (verb == "click") {
     // Several pages have a button of the same name; the one shown is meant.
@@ -233,19 +236,43 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
     if (!button) return wrong(tr("There is no button %1 that could be clicked now.").arg(words.value(1)));
     return button->click(), Result<bool>(true);
   }
-  if (verb == "wait" && number(1) && *number(1) >= 0 && *number(1) <= 3600) {
-    wait_ = static_cast<int>(1000 * *number(1));
+  return std::nullopt;
+}
+
+std::optional<Result<bool>> ScriptRunner::obeyLooks(const QStringList& words) {
+  const QString& verb = words[0];
+  if (verb == "theme" && (words.value(1) == "light" || words.value(1) == "dark"))
+    return studio_->setTheme(words[1] == "dark" ? ThemeKind::dark : ThemeKind::light), Result<bool>(true);
+  if (verb == "language") {
+    if (!studio_->setLanguage(words.value(1))) return std::nullopt;
     return true;
   }
-  if (verb == "picture") return takePicture(words);
-  for (const Step step : kAllSteps) {
-    StepPanel* panel = window.panel(step);
-    if (!panel) continue;
-    if (auto obeyed = panel->obey(words)) return *obeyed;
+  if (verb == "units" && words.size() > 1) return chooseUnits(words.mid(1));
+  if (verb == "size") {
+    const auto size = parseSize(words.value(1));
+    if (!size) return wrong(tr("size expects WIDTHxHEIGHT between 640x400 and 7680x4320."));
+    return studio_->setSize(*size), Result<bool>(true);
   }
-  if (const std::string known = formsOf(forms(), verb.toStdString()); !known.empty())
-    return wrong(tr("\"%1\" has none of the forms: %2").arg(words.join(' '), QString::fromStdString(known)));
-  return wrong(tr("Unknown command \"%1\"; see heft-studio --help.").arg(verb));
+  return std::nullopt;
+}
+
+std::optional<Result<bool>> ScriptRunner::chooseUnits(const QStringList& words) {
+  UnitChoice choice = units();
+  const std::tuple<const char*, bool UnitChoice::*, bool> known[] = {{"kg", &UnitChoice::grams, false},
+                                                                     {"g", &UnitChoice::grams, true},
+                                                                     {"mm", &UnitChoice::inches, false},
+                                                                     {"inch", &UnitChoice::inches, true},
+                                                                     {"Nm", &UnitChoice::newtonMillimetres, false},
+                                                                     {"Nmm", &UnitChoice::newtonMillimetres, true},
+                                                                     {"degrees", &UnitChoice::radians, false},
+                                                                     {"radians", &UnitChoice::radians, true}};
+  for (const QString& word : words) {
+    const auto it = std::find_if(std::begin(known), std::end(known),
+                                 [&](const auto& each) { return word == QLatin1String(std::get<0>(each)); });
+    if (it == std::end(known)) return std::nullopt;
+    choice.*std::get<1>(*it) = std::get<2>(*it);
+  }
+  return studio_->setUnits(choice), Result<bool>(true);
 }
 
 }  // namespace heft

@@ -37,7 +37,13 @@ class ScriptRunner : public QObject {
   void turn();
   void finish(const QString& failure);
   Result<bool> obey(const QStringList& words);
-  Result<bool> takePicture(const QStringList& words);
+  /// Of each of these nothing where the line has none of its forms.
+  std::optional<Result<bool>> obeySession(const QStringList& words);
+  std::optional<Result<bool>> obeyPlots(const QStringList& words);
+  std::optional<Result<bool>> obeyWindow(const QStringList& words);
+  std::optional<Result<bool>> obeyLooks(const QStringList& words);
+  std::optional<Result<bool>> chooseUnits(const QStringList& words);
+  std::optional<Result<bool>> takePicture(const QStringList& words);
   QString placed(const QString& sentence) const;
 
   Studio* studio_;

@@ -21,7 +21,7 @@ class Autosave;
 class MainWindow;
 
 struct StudioOptions {
-  bool offscreen = false;  ///< Frameless, remembers nothing, saves nothing by itself.
+  bool offscreen = false;  ///< Frameless, remembers nothing, never autosaves.
   QSize size{1440, 900};   ///< With offscreen.
   QString theme;           ///< "light", "dark", or empty: as last time.
   QString language;        ///< "en", "de", or empty: as last time, else the system's.

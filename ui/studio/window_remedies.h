@@ -1,5 +1,5 @@
 #pragma once
-// How one does in the window what core asks for.
+// How to do in the window what core's remedies ask for.
 #include <string>
 
 #include "core/base/remedy.h"

@@ -26,7 +26,7 @@ struct Theme {
   QColor wrench, gravity, tool;         ///< 3D
 };
 
-/// The theme in force. Painting code asks for it while painting; views that keep colours listen to
+/// The current theme. Painting code asks for it while painting; views that keep colours listen to
 /// QEvent::PaletteChange, which applyTheme causes.
 const Theme& theme();
 const Theme& themeOf(ThemeKind kind);

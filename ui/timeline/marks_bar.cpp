@@ -245,7 +245,7 @@ void MarksBar::paintTicks(QPainter& painter, const QRectF& bar) const {
   const double step = tickStep(axis_->span(), bar.width() / 75.0, axis_->poses());
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
   bool first = true;
-  // The last sample lies a little before a round number.
+  // The last sample is a little before a round number.
   const double reach = axis_->upper() + std::max(1e-9 * step, 0.004 * axis_->span());
   for (double tick = std::ceil(axis_->lower() / step - 1e-9) * step; tick <= reach; tick += step) {
     const double x = axis_->toX(tick, width());

@@ -1,6 +1,6 @@
 #pragma once
-// The strip under the plots: which stretches are free, contact or ignored, and the seconds below it. With a brush it is
-// painted on: by dragging, by dragging an edge between two stretches, or by keys (Enter, arrows, Enter).
+// The strip under the plots: which segments are free, contact or ignored, and the seconds below it. With a brush,
+// labels are painted: by dragging, by dragging an edge between two segments, or by keys (Enter, arrows, Enter).
 #include <QWidget>
 #include <optional>
 #include <vector>
@@ -24,7 +24,7 @@ class MarksBar : public QWidget {
   static QString describe(const Segment& segment);
 
   void setBrush(std::optional<MarkLabel> brush);
-  /// Outlines a stretch as selected.
+  /// Outlines a segment as selected.
   void setSelected(std::optional<std::pair<double, double>> stretch);
   /// The instant shown, where a stroke by keys begins and ends.
   void setTime(double time);
@@ -74,7 +74,7 @@ class MarksBar : public QWidget {
 
 /// The word for a mark: free, contact, ignored.
 QString markWord(MarkLabel label);
-/// Its colour in the theme in force.
+/// Its colour in the current theme.
 const QColor& markColour(MarkLabel label);
 
 }  // namespace heft

@@ -23,7 +23,7 @@ class Playback : public QObject {
 
   /// So many times as fast as it happened.
   void setSpeed(double factor) { speed_ = factor; }
-  /// Plays this stretch again and again; an empty one: to the end, once.
+  /// Loops over this segment; an empty one: plays to the end, once.
   void setLoop(double from, double to);
 
  public slots:

@@ -20,7 +20,7 @@ namespace heft {
 namespace {
 constexpr int kSteps = 10000;
 constexpr int kKnob = 14;        ///< [px] As in the style sheet
-constexpr double kFrame = 0.02;  ///< [s] One step of an arm that is told at 50 Hz
+constexpr double kFrame = 0.02;  ///< [s] One frame of an arm that reports at 50 Hz
 }  // namespace
 
 PlaybackBar::PlaybackBar(Playback* playback, QWidget* parent, TimeAxis* axis)

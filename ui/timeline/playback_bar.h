@@ -16,7 +16,7 @@ class PlaybackBar : public QWidget {
   Q_OBJECT
  public:
   /// `playback` must outlive the bar.
-  /// With `axis`, which must outlive it too, the stretch that the plots show can be played again and again.
+  /// With `axis`, which must outlive it too, the segment that the plots show can be looped.
   explicit PlaybackBar(Playback* playback, QWidget* parent = nullptr, TimeAxis* axis = nullptr);
 
   /// Call after the playback's range changed.
@@ -27,7 +27,7 @@ class PlaybackBar : public QWidget {
   void showSpeed();
   void buildMenu();
   void showPlaying(bool playing);
-  /// The stretch that the slider stands for.
+  /// The range of the slider.
   double lower() const;
   double upper() const;
 

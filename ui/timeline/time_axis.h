@@ -1,5 +1,5 @@
 #pragma once
-// The stretch of time that plots and marks show together: what links their zoom and pan. View state, never undone.
+// The segment of time that plots and marks show together: what links their zoom and pan. View state, never undone.
 #include <QObject>
 
 namespace heft {

@@ -25,7 +25,7 @@ class IconButton : public QToolButton {
 /// How sure something is: always a shape and, beside it or in its accessible name, a word.
 enum class Light { measured, partly, unknown, look, twoCauses, notPossible, info };
 QString lightWord(Light light);
-/// The drawing of a light in the colours of the theme in force, for painting code.
+/// The drawing of a light in the colours of the current theme, for painting code.
 QPixmap lightPixmap(Light light, int size, qreal devicePixelRatio);
 
 /// The drawing of a light.

@@ -28,7 +28,7 @@ void ChoiceCard::paintEvent(QPaintEvent*) {
                       chosen || hasFocus() ? 2 : 1));
   painter.setBrush(chosen ? t.accentTint : t.panel);
   painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 7, 7);
-  // The chosen one has its edge anyway: an inner line tells that the keyboard is here.
+  // The chosen one has an outline anyway: an inner line shows that it has the keyboard focus.
   if (chosen && hasFocus()) {
     painter.setPen(QPen(t.accent, 1));
     painter.setBrush(Qt::NoBrush);

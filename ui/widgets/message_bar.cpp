@@ -16,8 +16,8 @@ namespace heft {
 namespace {
 
 constexpr std::size_t kMost = 3;  ///< Messages at once
-constexpr int kReadable = 10000;  ///< [ms] Information stands so long,
-constexpr int kOffered = 30000;   ///< and with a button so long.
+constexpr int kReadable = 10000;  ///< [ms] How long information is shown,
+constexpr int kOffered = 30000;   ///< and how long if it has a button.
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void MessageBar::showMessage(Severity severity, const QString& text, const QStri
                              std::function<void()> clicked) {
   const auto before = messages_;
   for (const Message& message : before)
-    // The same once more, perhaps now with a button; or information that has been said.
+    // The same message again, perhaps now with a button; or information already shown.
     if (message.text == text || !message.stays) close(message.row);
   while (messages_.size() >= kMost) close(messages_.front().row);
   Message message{severity, text, nullptr, severity != Severity::info, severity == Severity::info && parentWidget()};

@@ -1,7 +1,7 @@
 #pragma once
 // Sentences at the top of the window instead of a dialog in its middle. A warning or an error stays until it is closed,
 // also when another one comes; plain information floats over the window, so that nothing moves under the pointer, gives
-// way to the next message and goes by itself.
+// way to the next message and disappears on its own.
 #include <QFrame>
 #include <QTimer>
 #include <functional>
@@ -21,7 +21,7 @@ class MessageBar : public QFrame {
   void showMessage(Severity severity, const QString& text);
   /// With a button that does something about it and closes the message.
   void showMessage(Severity severity, const QString& text, const QString& action, std::function<void()> clicked);
-  /// Of all messages shown, one a line.
+  /// Of all messages shown, one per line.
   QString text() const;
   /// Closes all of them.
   void clear();

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kLaneHeight = 74, kChannelGap = 6;  ///< [px]
 
-/// Seven that colour-blind people tell apart; joints beyond them begin anew.
+/// Seven that colour-blind people can tell apart; further joints start over.
 QColor channelColour(std::size_t index) {
   const Theme& t = theme();
   const QColor colours[] = {t.axis[0], t.axis[1], t.axis[2], t.markContact, t.text3, t.markFree, t.text};

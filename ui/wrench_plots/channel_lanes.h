@@ -20,8 +20,8 @@ class ChannelLanes : public QWidget {
   /// `axis` must outlive it. Nothing to show while lanes() is 0.
   explicit ChannelLanes(TimeAxis* axis, QWidget* parent = nullptr);
 
-  /// Null: none. What was chosen stays chosen where this recording has it. With a robot the joints tell the pose, where
-  /// the recording does not.
+  /// Null: none. The choice is kept as far as this recording has the channels. With a robot the pose follows from the
+  /// joints, where the recording does not.
   void setRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const RobotModel> robot = nullptr);
   const std::vector<Channel>& channels() const { return channels_; }
   /// IDs; those that the recording does not have are left out.
@@ -59,7 +59,7 @@ class ChannelLanes : public QWidget {
   TimeAxis* axis_;
   TimeMouse* mouse_;
   std::shared_ptr<const Recording> recording_;
-  std::shared_ptr<const RobotModel> robot_;   ///< Null where the joints tell no pose.
+  std::shared_ptr<const RobotModel> robot_;   ///< Null if the joints do not give a pose.
   std::shared_ptr<const Recording> forward_;  ///< forwardPoses(), made when it is first asked for.
   std::vector<Channel> channels_;
   QStringList chosen_;

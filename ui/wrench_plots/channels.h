@@ -22,7 +22,7 @@ std::vector<Channel> channelsOf(const Recording& recording, bool poseFromJoints 
 /// Where the joints put the sensor: time, position and orientation of each row. The robot must have as many joints.
 Recording forwardPoses(const Recording& recording, const RobotModel& robot);
 
-/// One value a row in the channel's unit, NaN where there is none; empty for an ID that the recording does not have.
+/// One value per row in the channel's unit, NaN where there is none; empty for an ID that the recording does not have.
 /// Speeds that were not recorded are central differences over 20 ms or the two neighbours, whichever is longer.
 std::vector<double> channelValues(const Recording& recording, const QString& id);
 

@@ -1,5 +1,5 @@
 #pragma once
-// A second cursor over the plots and a small table: the values at both and what lies between them.
+// A second cursor over the plots and a small table: the values at both and the statistics between them.
 #include <QStringList>
 #include <QWidget>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 // Curves that grow while data comes in, in bounded memory: the newest minute finely, what is older as extremes over
-// stretches that double whenever they become too many. Free of Qt widgets; not safe for several threads at once.
+// segments that double whenever they become too many. Free of Qt widgets; not safe for several threads at once.
 #include <deque>
 #include <memory>
 
@@ -9,7 +9,7 @@
 
 namespace heft {
 
-/// Lowest and highest of some channels over stretches of time.
+/// Lowest and highest of some channels over segments of time.
 class ThinnedSeries {
  public:
   static constexpr double kFineSeconds = 60.0;
@@ -18,7 +18,7 @@ class ThinnedSeries {
   ThinnedSeries(int channels, double fineStep) : channels_(channels), fineStep_(fineStep) {}
   /// `values` has as many entries as there are channels; times rise.
   void add(double time, const double* values);
-  /// Appends two points a stretch; returns how many there are.
+  /// Appends two points a segment; returns how many there are.
   std::size_t points(std::vector<double>& time, const std::vector<std::vector<double>*>& values) const;
   std::size_t stretches() const { return coarse_.size() + fine_.size(); }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Lowest and highest value of any stretch of a long series, fast enough to redraw 600,000 samples on every wheel step.
+// Lowest and highest value of any segment of a long series, fast enough to redraw 600,000 samples on every wheel step.
 #include <cstddef>
 #include <vector>
 
@@ -21,7 +21,7 @@ class MinMaxPyramid {
   std::size_t size() const { return values_.size(); }
   double operator[](std::size_t i) const { return values_[i]; }
 
-  /// Extremes of samples [from, to). NaN in both if the stretch holds no number.
+  /// Extremes of samples [from, to). Both NaN if the segment contains no number.
   MinMax range(std::size_t from, std::size_t to) const;
 
  private:

@@ -76,12 +76,9 @@ class TitleFitter : public QObject {
 RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(parent), playback_(playback) {
   const PaneHeader top = dressAsPane(this, tr("Force and torque at the sensor"));
   QVBoxLayout* column = top.column;
-  QWidget* header = top.header;
-  QHBoxLayout* row = top.row;
-  header_ = header;
-  row->setSpacing(2);
-  row->addSpacing(8);
-
+  header_ = top.header;
+  top.row->setSpacing(2);
+  top.row->addSpacing(8);
   auto* body = new QWidget(this);
   auto* bodyColumn = new QVBoxLayout(body);
   bodyColumn->setContentsMargins(0, 0, 0, 0);
@@ -95,7 +92,22 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   constexpr int kTicksHeight = 24;
   difference_ = new DifferenceCursor(&axis_, body, kTicksHeight);
   cursor_ = new TimeCursor(&axis_, body, kTicksHeight);
+  addLegend(top.row);
+  if (auto* title = header_->findChild<QLabel*>("plotTitle")) new TitleFitter(title, header_);
+  top.row->addStretch(1);
+  addButtons(top.row);
+  makeFoldedHeader();
+  column->addWidget(foldedHeader_);
+  column->addWidget(body, 1);
+  overview_ = new OverviewStrip(&axis_, this);
+  column->addWidget(overview_);
+  bar_ = new PlaybackBar(playback, this, &axis_);
+  column->addWidget(bar_);
+  connectParts();
+  showParts();
+}
 
+void RecordingPane::addLegend(QHBoxLayout* row) {
   using Shown = WrenchPlots::Shown;
   const std::pair<Shown, QString> entries[] = {{Shown::x, tr("x")},
                                                {Shown::y, tr("y")},
@@ -104,39 +116,41 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
                                                {Shown::simulated, tr("simulated")},
                                                {Shown::difference, tr("residual (grey: noise)")}};
   for (const auto& [what, text] : entries) {
-    auto* entry = new LegendEntry(what, text, header);
+    auto* entry = new LegendEntry(what, text, header_);
     entry->setObjectName(QStringLiteral("legend%1").arg(static_cast<int>(what)));
     connect(entry, &QAbstractButton::toggled, plots_, [this, shown = what](bool on) { plots_->setShown(shown, on); });
     if (what == Shown::difference) entry->setToolTip(glossaryTip("residual"));
     row->addWidget(entry);
     if (what == Shown::z) row->addSpacing(10);
-    if (what == Shown::difference) header->installEventFilter(new LegendFitter(entry, tr("residual"), header));
+    if (what == Shown::difference) header_->installEventFilter(new LegendFitter(entry, tr("residual"), header_));
   }
-  if (auto* title = header->findChild<QLabel*>("plotTitle")) new TitleFitter(title, header);
-  row->addStretch(1);
-  paint_ = new QPushButton(tr("Paint"), header);
+}
+
+void RecordingPane::addButtons(QHBoxLayout* row) {
+  paint_ = new QPushButton(tr("Paint"), header_);
   paint_->setObjectName("paintButton");
   paint_->setCheckable(true);
   paint_->setToolTip(tr("Drag in the plots to label a range instead of zooming"));
   paint_->hide();
   row->addWidget(paint_);
   row->addSpacing(6);
-  measure_ = new IconButton("cursors", tr("Measure between two cursors (Ctrl+click sets the second)"), header);
+  measure_ = new IconButton("cursors", tr("Measure between two cursors (Ctrl+click sets the second)"), header_);
   measure_->setObjectName("measureButton");
   measure_->setCheckable(true);
   row->addWidget(measure_);
-  channelButton_ = new IconButton("channels", tr("Further channels: joints, pose, speeds"), header);
+  channelButton_ = new IconButton("channels", tr("Further channels: joints, pose, speeds"), header_);
   channelButton_->setObjectName("channelButton");
   channelButton_->setPopupMode(QToolButton::InstantPopup);
   channelButton_->setMenu(new QMenu(channelButton_));
   row->addWidget(channelButton_);
-  auto* all = new IconButton("whole", tr("Show the whole recording (0)"), header);
+  auto* all = new IconButton("whole", tr("Show the whole recording (0)"), header_);
   all->setObjectName("showAllButton");
   row->addWidget(all);
-  auto* alone = new IconButton("fit", tr("Maximise the plots, or restore them (F11)"), header);
+  auto* alone = new IconButton("fit", tr("Maximise the plots, or restore them (F11)"), header_);
   alone->setObjectName("aloneButton");  // The window listens to it.
   row->addWidget(alone);
-  auto* more = new IconButton("more", tr("Picture of the plots, table of the visible segment"), header);
+  connect(all, &QToolButton::clicked, &axis_, &TimeAxis::showAll);
+  auto* more = new IconButton("more", tr("Picture of the plots, table of the visible segment"), header_);
   more->setObjectName("plotsMoreButton");
   more->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(more);
@@ -148,6 +162,9 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   // Beside the legend and "Paint" there is little room on a small screen.
   constexpr int kNarrow = 28;  // [px]
   for (auto* button : {measure_, channelButton_, all, alone, more}) button->setFixedWidth(kNarrow);
+}
+
+void RecordingPane::makeFoldedHeader() {
   foldedHeader_ = new QWidget(this);
   foldedHeader_->setObjectName("plotHeader");
   foldedHeader_->setAttribute(Qt::WA_StyledBackground);
@@ -161,14 +178,9 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   connect(unfold, &QPushButton::clicked, this, &RecordingPane::unfoldWanted);
   foldedRow->addWidget(unfold);
   foldedHeader_->hide();
-  column->addWidget(foldedHeader_);
-  column->addWidget(body, 1);
-  overview_ = new OverviewStrip(&axis_, this);
-  column->addWidget(overview_);
-  bar_ = new PlaybackBar(playback, this, &axis_);
-  column->addWidget(bar_);
+}
 
-  connect(all, &QToolButton::clicked, &axis_, &TimeAxis::showAll);
+void RecordingPane::connectParts() {
   connect(plots_, &WrenchPlots::timePicked, playback_, &Playback::setTime);
   connect(marks_, &MarksBar::timePicked, playback_, &Playback::setTime);
   connect(channels_, &ChannelLanes::timePicked, playback_, &Playback::setTime);
@@ -179,7 +191,6 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   });
   connect(channels_, &ChannelLanes::chosenChanged, this, &RecordingPane::showParts);
   connect(&axis_, &TimeAxis::visibleChanged, this, &RecordingPane::showParts);
-  showParts();
   connect(channelButton_->menu(), &QMenu::aboutToShow, this, &RecordingPane::fillChannelMenu);
   connect(playback_, &Playback::timeChanged, cursor_, &TimeCursor::setTime);
   connect(playback_, &Playback::timeChanged, marks_, &MarksBar::setTime);

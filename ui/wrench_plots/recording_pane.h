@@ -12,6 +12,7 @@
 #include "ui/timeline/time_axis.h"
 #include "ui/wrench_plots/wrench_traces.h"
 
+class QHBoxLayout;
 class QPushButton;
 
 namespace heft {
@@ -32,21 +33,20 @@ class RecordingPane : public QWidget {
   explicit RecordingPane(Playback* playback, QWidget* parent = nullptr);
 
   /// A new recording, or none, with the estimate on it, or null: shows all of it from its beginning. The curves follow
-  /// as soon as they are made, which a long recording takes a moment for. The robot tells the pose where there are
+  /// as soon as they are made, which takes a moment for a long recording. The robot gives the pose where there are
   /// joints.
   void setRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const EstimateReport> report,
                     std::shared_ptr<const RobotModel> robot = nullptr);
   /// What has come so far of something live, up to `now` [s]; the view goes along. Ends with setRecording().
   void showLive(std::shared_ptr<const WrenchTraces> traces, const std::vector<Segment>& touched, double now);
-  /// Another estimate on that recording, or null while there is none.
+  /// Another estimate on that recording, or null if there is none.
   void setReport(std::shared_ptr<const EstimateReport> report);
   /// Makes the curves.
   JobRunner* jobs() { return &jobs_; }
   /// What plots and marks bar tint; `suggested` ones are drawn as proposals.
   void setSegments(const std::vector<Segment>& segments, const std::vector<bool>& suggested);
 
-  /// Shows a stretch with something on both sides of it, and frames it under this word. An empty one: no frame any
-  /// more.
+  /// Zooms to a segment with some margin and frames it under this word; an empty one removes the frame.
   void highlight(double from, double to, const QString& word);
 
   /// With a brush the marks bar is painted by dragging, and the plots while "Paint" is pressed. Nothing: no painting.
@@ -60,7 +60,7 @@ class RecordingPane : public QWidget {
   /// The second cursor with the table of values, on or off.
   void setMeasuring(bool on);
   DifferenceCursor* differenceCursor() { return difference_; }
-  /// The stretch that the plots show, as CSV.
+  /// The visible range, as CSV.
   std::string visibleText() const;
 
   TimeAxis* timeAxis() { return &axis_; }
@@ -71,7 +71,7 @@ class RecordingPane : public QWidget {
  signals:
   void pictureWanted();
   void csvWanted();
-  /// A stretch was painted, by mouse or keyboard.
+  /// A segment was painted, by mouse or keyboard.
   void painted(double from, double to, heft::MarkLabel label);
   /// The user chose another brush by its key.
   void brushPicked(heft::MarkLabel label);
@@ -79,6 +79,10 @@ class RecordingPane : public QWidget {
   void unfoldWanted();
 
  private:
+  void addLegend(QHBoxLayout* row);
+  void addButtons(QHBoxLayout* row);
+  void makeFoldedHeader();
+  void connectParts();
   void setTraces(std::shared_ptr<const WrenchTraces> traces);
   void fillChannelMenu();
   void showParts();

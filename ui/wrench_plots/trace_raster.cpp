@@ -63,7 +63,7 @@ void TraceColumns::dash(double on, double off) {
 void TraceColumns::paint(QImage& picture, const QColor& colour, double thickness) const {
   const int height = picture.height(), slices = static_cast<int>(top_.size());
   const double radius = std::max(0.5, 0.5 * thickness);
-  // A round brush: so much higher and lower at each slice beside.
+  // A round brush: its height at each neighbouring slice.
   std::vector<float> top(top_.size(), kFar), bottom(top_.size(), -kFar);
   const int reach = static_cast<int>(std::floor(radius * kPerPixel));
   for (int k = -reach; k <= reach; ++k) {
@@ -102,7 +102,8 @@ void TraceColumns::paint(QImage& picture, const QColor& colour, double thickness
       covered[static_cast<std::size_t>(last)] += end - static_cast<float>(last);
     }
     for (int y = from; y <= to; ++y) {
-      const int share = std::min(kFull, static_cast<int>(covered[static_cast<std::size_t>(y)] * opaque + 0.5f));
+      const float rounded = covered[static_cast<std::size_t>(y)] * opaque + 0.5f;  // Never negative
+      const int share = std::min(kFull, static_cast<int>(rounded));
       covered[static_cast<std::size_t>(y)] = 0.0f;
       auto* pixel = reinterpret_cast<QRgb*>(bits + y * stride) + column;
       const auto over = [share](int under, int ink) {

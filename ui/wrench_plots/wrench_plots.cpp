@@ -1,320 +1,21 @@
 #include "ui/wrench_plots/wrench_plots.h"
 
-#include <qcustomplot.h>
-
-#include <QAction>
-#include <QApplication>
-#include <QClipboard>
-#include <QContextMenuEvent>
 #include <QKeyEvent>
-#include <QMenu>
-#include <QMouseEvent>
-#include <QPainter>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <optional>
-#include <utility>
 
-#include "ui/models/numbers.h"
 #include "ui/models/units.h"
 #include "ui/theme/theme.h"
 #include "ui/timeline/marks_bar.h"
-#include "ui/timeline/time_mouse.h"
+#include "ui/wrench_plots/lane_ticker.h"
+#include "ui/wrench_plots/plot_canvas.h"
 #include "ui/wrench_plots/trace_plottable.h"
 
 namespace heft {
 namespace {
 
-constexpr int kLanes = 4;
 constexpr int kLaneGap = 6;
-
-bool isDifference(int lane) { return lane % 2 == 1; }
-int firstChannel(int lane) { return lane < 2 ? 0 : 3; }
-
-/// Few ticks with a real minus sign; none so near an edge that its number would run into the next lane's.
-class LaneTicker : public QCPAxisTicker {
- public:
-  /// `scale`: from the curves' unit to the one that is shown.
-  LaneTicker(const QCPAxisRect* lane, double scale) : lane_(lane), scale_(scale) {}
-
- protected:
-  QString getTickLabel(double tick, const QLocale&, QChar, int) override {
-    const double above = (tick - range_.lower) / range_.size() * lane_->height();
-    if (above < kHalfNumber || above > lane_->height() - kHalfNumber) return {};
-    if (std::abs(tick) < 1e-9 * std::max(1.0, mTickStep_)) return QStringLiteral("0");
-    const double step = scale_ * std::abs(mTickStep_);
-    int decimals = 0;
-    while (decimals < 6 && std::abs(std::round(step * std::pow(10, decimals)) - step * std::pow(10, decimals)) > 1e-6) {
-      ++decimals;
-    }
-    return numberText(scale_ * tick, decimals);
-  }
-  double getTickStep(const QCPRange& range) override {
-    range_ = range;
-    // About zero with little height, or where the usual step finds no room: one number above and one below it, as far
-    // out as a number has room.
-    constexpr double kLow = 56.0;  // [px]
-    if (range.lower < 0.0 && range.upper > 0.0 && std::abs(range.lower + range.upper) < 1e-6 * range.size() &&
-        lane_->height() > 4.0 * kHalfNumber) {
-      const double most = (1.0 - 2.0 * (kHalfNumber + 0.5) / lane_->height()) * range.upper * scale_;
-      if (lane_->height() >= kLow)
-        if (const double usual = QCPAxisTicker::getTickStep(range); usual * scale_ <= most) return mTickStep_ = usual;
-      const double decade = std::pow(10.0, std::floor(std::log10(most)));
-      constexpr double kApart = 10.0;  // [px] of numbers one above the other
-      for (const double round : {8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.5, 1.2, 1.0}) {
-        const double step = round * decade / scale_;
-        if (round * decade <= most && step / range.size() * lane_->height() >= kApart) return mTickStep_ = step;
-      }
-    }
-    mTickStep_ = QCPAxisTicker::getTickStep(range);
-    // In a low lane numbers must not touch each other; the next round step above, so that two of them remain.
-    constexpr double kNumber = 12.0;  // [px]
-    const double least = lane_->height() > 0 ? kNumber / lane_->height() * range.size() : 0.0;
-    if (!(mTickStep_ < least)) return mTickStep_;
-    const double decade = std::pow(10.0, std::floor(std::log10(least)));
-    for (const double round : {1.0, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0}) {
-      mTickStep_ = round * decade;
-      if (mTickStep_ >= least) break;
-    }
-    return mTickStep_;
-  }
-
- private:
-  static constexpr double kHalfNumber = 4.0;  ///< [px] Half the height of a number: nearer to an edge it is left out
-  const QCPAxisRect* lane_;
-  double scale_;
-  QCPRange range_;
-  double mTickStep_ = 1.0;
-};
-
-/// QCustomPlot with the mouse as the studio uses it, the same in all lanes.
-class PlotCanvas : public QCustomPlot {
- public:
-  PlotCanvas(TimeAxis* axis, WrenchPlots* owner) : QCustomPlot(owner), axis_(axis), owner_(owner) {
-    setInteractions(QCP::Interactions());
-    setMouseTracking(true);
-    // The keyboard's frame stands on the canvas, which does not have the focus itself.
-    connect(qApp, &QApplication::focusChanged, this, [this](QWidget* before, QWidget* now) {
-      if (before == owner_ || now == owner_) update();
-    });
-  }
-  void setBrush(std::optional<MarkLabel> brush) { brush_ = brush; }
-  bool freeScale() const { return freeScale_; }
-  void setRescale(std::function<void()> rescale) { rescale_ = std::move(rescale); }
-  void setSecond(double time) { second_ = time; }
-  /// What the user zoomed a lane's values to; nothing: as the curves need.
-  std::optional<QCPRange> values(int lane) const { return values_[static_cast<std::size_t>(lane)]; }
-  void forgetValues() { values_.fill({}); }
-
- protected:
-  void wheelEvent(QWheelEvent* event) override {
-    const int lane = axisRectIndex(event->position().toPoint());
-    if (!(event->modifiers() & Qt::ControlModifier) || lane < 0) return TimeMouse::wheel(axis_, event, width());
-    const QCPAxis* values = axisRect(lane)->axis(QCPAxis::atLeft);
-    const double factor = std::pow(0.8, event->angleDelta().y() / 120.0);
-    const double fixed = values->pixelToCoord(event->position().y());
-    showValues(lane, fixed + factor * (values->range().lower - fixed),
-               fixed + factor * (values->range().upper - fixed));
-    event->accept();
-  }
-
-  void mousePressEvent(QMouseEvent* event) override {
-    owner_->setFocus(Qt::MouseFocusReason);
-    pressed_ = event->pos();
-    moved_ = false;
-    const bool pans = event->button() == Qt::MiddleButton ||
-                      (event->button() == Qt::LeftButton && (event->modifiers() & Qt::ShiftModifier));
-    mode_ = pans ? Mode::pan : event->button() == Qt::LeftButton ? Mode::band : Mode::none;
-    pressedLower_ = axis_->lower();
-    const bool grabs = std::abs(axis_->toX(second_, width()) - pressed_.x()) < 5;
-    if (event->button() == Qt::LeftButton && std::isfinite(second_) &&
-        (grabs || (event->modifiers() & Qt::ControlModifier))) {
-      mode_ = Mode::second;
-      emit owner_->secondPicked(axis_->toTime(pressed_.x(), width()));
-    }
-  }
-
-  void contextMenuEvent(QContextMenuEvent* event) override {
-    QMenu menu(this);
-    menu.addAction(WrenchPlots::tr("Show the whole recording"), axis_, &TimeAxis::showAll);
-    menu.addAction(WrenchPlots::tr("Scale the values to the curves"), this, [this] {
-      forgetValues();
-      if (rescale_) rescale_();
-    });
-    QAction* free = menu.addAction(WrenchPlots::tr("Scale to the free parts"));
-    free->setCheckable(true);
-    free->setChecked(freeScale_);
-    free->setToolTip(WrenchPlots::tr("A contact may go out of the picture, so that the rest can be seen"));
-    connect(free, &QAction::toggled, this, [this](bool on) {
-      freeScale_ = on;
-      if (rescale_) rescale_();
-    });
-    menu.addSeparator();
-    menu.addAction(WrenchPlots::tr("Copy picture"), this,
-                   [this] { QApplication::clipboard()->setImage(owner_->grab().toImage()); });
-    menu.exec(event->globalPos());
-  }
-
-  void leaveEvent(QEvent* event) override {
-    QCustomPlot::leaveEvent(event);
-    pointer_ = {-1, -1};
-    update();
-  }
-
-  void mouseMoveEvent(QMouseEvent* event) override {
-    pointer_ = event->buttons() == Qt::NoButton ? event->pos() : QPoint(-1, -1);
-    if (event->buttons() == Qt::NoButton) update();
-    if (mode_ == Mode::second) return emit owner_->secondPicked(axis_->toTime(event->pos().x(), width()));
-    if (mode_ == Mode::none || !(event->buttons() & (Qt::LeftButton | Qt::MiddleButton))) return;
-    if ((event->pos() - pressed_).manhattanLength() > 4) moved_ = true;
-    if (!moved_) return;
-    if (mode_ == Mode::pan) {
-      const double seconds = axis_->toTime(pressed_.x(), width()) - axis_->toTime(event->pos().x(), width());
-      axis_->show(pressedLower_ + seconds, pressedLower_ + seconds + axis_->span());
-      setCursor(Qt::ClosedHandCursor);
-    } else {
-      band_ = {pressed_.x(), event->pos().x()};
-      box_ = brush_ ? std::nullopt : boxTo(event->pos());
-      update();
-    }
-  }
-
-  void mouseReleaseEvent(QMouseEvent* event) override {
-    const Mode mode = mode_;
-    mode_ = Mode::none;
-    unsetCursor();
-    band_ = {0, 0};
-    const auto box = std::exchange(box_, std::nullopt);
-    update();
-    if (mode == Mode::none || mode == Mode::second) return;
-    const double from = axis_->toTime(pressed_.x(), width()), to = axis_->toTime(event->pos().x(), width());
-    if (!moved_) {
-      emit owner_->timePicked(to);
-    } else if (mode == Mode::band && brush_) {
-      emit owner_->stroked(std::min(from, to), std::max(from, to));
-    } else if (mode == Mode::band) {
-      if (box) {
-        const QCPAxis* values = axisRect(box->lane)->axis(QCPAxis::atLeft);
-        showValues(box->lane, values->pixelToCoord(box->bottom), values->pixelToCoord(box->top));
-      }
-      axis_->show(std::min(from, to), std::max(from, to));
-    }
-  }
-
-  void mouseDoubleClickEvent(QMouseEvent*) override {
-    forgetValues();
-    axis_->showAll();
-    if (rescale_) rescale_();
-  }
-
-  void paintEvent(QPaintEvent* event) override {
-    QCustomPlot::paintEvent(event);
-    QPainter painter(this);
-    if (owner_->hasFocus()) {
-      painter.setPen(QPen(theme().accent, 2));
-      painter.drawRect(rect().adjusted(1, 1, -1, -1));
-    }
-    if (band_.first == band_.second) return paintValues(painter);
-    QColor fill = brush_ ? markColour(*brush_) : theme().text2;
-    fill.setAlpha(brush_ ? 110 : 40);
-    QRectF area(std::min(band_.first, band_.second), 0, std::abs(band_.second - band_.first), height());
-    if (box_) area = QRectF(QPointF(area.left(), box_->top), QPointF(area.right(), box_->bottom));
-    painter.fillRect(area, fill);
-    painter.setPen(theme().text2);
-    if (box_) painter.drawRect(area);
-    painter.drawLine(area.topLeft(), area.bottomLeft());
-    painter.drawLine(area.topRight(), area.bottomRight());
-  }
-
- private:
-  /// Under the pointer: the time, and what the lane's curves read there.
-  void paintValues(QPainter& painter) const {
-    const int lane = axisRectIndex(pointer_);
-    const auto& traces = *owner_->traces();
-    if (lane < 0 || traces.empty() || pointer_.x() < TimeAxis::kLeft || pointer_.x() > width() - TimeAxis::kRight)
-      return;
-    const double time = axis_->toTime(pointer_.x(), width());
-    const int first = firstChannel(lane);
-    const ShownUnit unit = first == 0 ? ShownUnit{QStringLiteral("N"), 1.0, 0} : torqueUnit();
-    const int decimals = (first == 0 ? 2 : 3) + unit.decimals;
-    QStringList rows{timeText(time, traces.poses())};
-    for (int c = 0; c < 3; ++c) {
-      const auto read = [&](WrenchTraces::Kind kind) {
-        const double value = traces.valueAt(kind, first + c, time);
-        return std::isfinite(value) ? numberText(unit.scale * value, decimals) : QString(QChar(0x2013));
-      };
-      const QString name = QString(QChar('x' + c));
-      rows << (isDifference(lane) ? QStringLiteral("%1  %2").arg(name, read(WrenchTraces::Kind::difference))
-               : traces.hasSimulated()
-                   ? QStringLiteral("%1  %2  (%3)")
-                         .arg(name, read(WrenchTraces::Kind::measured), read(WrenchTraces::Kind::simulated))
-                   : QStringLiteral("%1  %2").arg(name, read(WrenchTraces::Kind::measured)));
-    }
-    painter.setFont(uiFont(type::kCaption));
-    const QFontMetrics metrics(painter.font());
-    int wide = 0;
-    for (const QString& row : rows) wide = std::max(wide, metrics.horizontalAdvance(row));
-    const int line = metrics.height(), high = line * static_cast<int>(rows.size()) + 10;
-    QRect box(pointer_ + QPoint(14, -high / 2), QSize(wide + 18, high));
-    if (box.right() > width() - TimeAxis::kRight) box.moveRight(pointer_.x() - 14);
-    box.moveTop(std::clamp(box.top(), 2, std::max(2, height() - high - 2)));
-    const Theme& t = theme();
-    QColor ground = t.panel;
-    ground.setAlpha(235);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(t.line, 1));
-    painter.setBrush(ground);
-    painter.drawRoundedRect(box, 6, 6);
-    for (int r = 0; r < rows.size(); ++r) {
-      painter.setPen(r == 0 ? t.text2 : t.axis[static_cast<std::size_t>(r - 1)]);
-      painter.drawText(QRect(box.left() + 9, box.top() + 5 + r * line, wide, line), Qt::AlignLeft | Qt::AlignVCenter,
-                       rows[r]);
-    }
-  }
-  int axisRectIndex(const QPoint& at) const {
-    for (int lane = 0; lane < axisRectCount(); ++lane)
-      if (axisRect(lane)->visible() && axisRect(lane)->rect().contains(at)) return lane;
-    return -1;
-  }
-
-  /// Part of one lane's height that a drag goes over; a drag along the time has none.
-  struct Box {
-    int lane, top, bottom;  ///< [px]
-  };
-  std::optional<Box> boxTo(const QPoint& at) const {
-    constexpr int kLeast = 16;  // [px] A hand that draws a level line stays below it.
-    const int lane = axisRectIndex(pressed_);
-    if (lane < 0) return std::nullopt;
-    const QRect room = axisRect(lane)->rect();
-    if (std::abs(at.y() - pressed_.y()) < std::max(kLeast, room.height() / 3)) return std::nullopt;
-    const int end = std::clamp(at.y(), room.top(), room.bottom());
-    return Box{lane, std::min(pressed_.y(), end), std::max(pressed_.y(), end)};
-  }
-  void showValues(int lane, double lower, double upper) {
-    if (!(upper > lower)) return;
-    values_[static_cast<std::size_t>(lane)] = QCPRange(lower, upper);
-    if (rescale_) rescale_();
-  }
-
-  enum class Mode { none, band, pan, second };
-  QPoint pointer_{-1, -1};
-  std::array<std::optional<QCPRange>, kLanes> values_;
-  std::optional<Box> box_;
-  bool freeScale_ = false;
-  std::function<void()> rescale_;
-  TimeAxis* axis_;
-  WrenchPlots* owner_;
-  Mode mode_ = Mode::none;
-  QPoint pressed_;
-  bool moved_ = false;
-  double pressedLower_ = 0.0;
-  std::pair<int, int> band_{0, 0};
-  std::optional<MarkLabel> brush_;
-  double second_ = std::numeric_limits<double>::quiet_NaN();
-};
 
 }  // namespace
 
@@ -326,7 +27,7 @@ struct WrenchPlots::Parts {
   std::array<QCPItemText*, kLanes> titles{};
   std::array<QCPItemText*, kLanes> units{};
   std::vector<QCPItemRect*> marks;
-  QCPItemText* word = nullptr;  ///< Over the highlighted stretch
+  QCPItemText* word = nullptr;  ///< Over the highlighted segment
   int points = 0;
 };
 
@@ -351,68 +52,77 @@ WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
   p.canvas->plotLayout()->clear();
   p.canvas->plotLayout()->setRowSpacing(kLaneGap);
   p.canvas->addLayer("marks", p.canvas->layer("grid"), QCustomPlot::limBelow);
-  const QString titles[kLanes] = {tr("Force"), tr("residual"), tr("Torque"), tr("residual")};
-  const QString units[kLanes] = {tr("N"), QString(), torqueUnit().name, QString()};
   for (int lane = 0; lane < kLanes; ++lane) {
-    auto* rect = new QCPAxisRect(p.canvas, true);
-    p.rects[lane] = rect;
-    p.canvas->plotLayout()->addElement(lane, 0, rect);
-    p.canvas->plotLayout()->setRowStretchFactor(lane, isDifference(lane) ? 0.75 : 1.1);
-    rect->setAutoMargins(QCP::msNone);
-    rect->setMargins(QMargins(TimeAxis::kLeft, lane == 0 ? 6 : 0, TimeAxis::kRight, lane == kLanes - 1 ? 4 : 0));
-    rect->setMinimumSize(40, 14);
-    for (auto* line : rect->axes()) {
-      line->setVisible(true);
-      line->setTicks(line->axisType() == QCPAxis::atLeft);
-      line->setTickLabels(line->axisType() == QCPAxis::atLeft);
-      line->setTickLength(0, 0);
-      line->setSubTickLength(0, 0);
-      line->setLayer("axes");
-      line->grid()->setLayer("grid");
-    }
-    // The vertical grid needs ticks, which are invisible with length zero.
-    rect->axis(QCPAxis::atBottom)->setTicks(true);
-    rect->axis(QCPAxis::atBottom)->ticker()->setTickCount(11);
-    QSharedPointer<QCPAxisTicker> ticker(new LaneTicker(rect, firstChannel(lane) == 0 ? 1.0 : torqueUnit().scale));
-    ticker->setTickCount(isDifference(lane) ? 2 : 3);
-    rect->axis(QCPAxis::atLeft)->setTicker(ticker);
-    rect->axis(QCPAxis::atLeft)->setTickLabelPadding(6);
-
-    p.noise[lane] = new QCPItemRect(p.canvas);
-    p.noise[lane]->setLayer("marks");
-    for (auto* position : {p.noise[lane]->topLeft, p.noise[lane]->bottomRight}) {
-      position->setAxisRect(rect);
-      position->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
-      position->setTypeX(QCPItemPosition::ptAxisRectRatio);
-      position->setTypeY(QCPItemPosition::ptPlotCoords);
-    }
-    p.noise[lane]->setClipAxisRect(rect);
-    p.noise[lane]->setVisible(false);
-
-    p.traces[lane] = new TracePlottable(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
-
-    const auto addText = [&](const QString& text) {
-      auto* item = new QCPItemText(p.canvas);
-      item->setText(text);
-      item->setClipToAxisRect(false);
-      item->setPositionAlignment(Qt::AlignLeft | (isDifference(lane) ? Qt::AlignVCenter : Qt::AlignTop));
-      item->position->setAxisRect(rect);
-      item->position->setTypeX(QCPItemPosition::ptAbsolute);
-      item->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
-      item->position->setCoords(isDifference(lane) ? 8 : 12, isDifference(lane) ? 0.5 : 0.0);
-      return item;
-    };
-    p.titles[lane] = addText(titles[lane]);
-    if (!isDifference(lane)) {
-      p.units[lane] = addText(units[lane]);
-      p.units[lane]->position->setParentAnchor(p.titles[lane]->bottomLeft);
-      p.units[lane]->position->setType(QCPItemPosition::ptAbsolute);
-      p.units[lane]->position->setCoords(0, 1);
-    }
+    buildLane(lane);
+    nameLane(lane);
   }
   connect(axis_, &TimeAxis::visibleChanged, this, &WrenchPlots::refresh);
   p.canvas->setRescale([this] { refresh(); });
   restyle();
+}
+
+void WrenchPlots::buildLane(int lane) {
+  Parts& p = *parts_;
+  auto* rect = new QCPAxisRect(p.canvas, true);
+  p.rects[lane] = rect;
+  p.canvas->plotLayout()->addElement(lane, 0, rect);
+  p.canvas->plotLayout()->setRowStretchFactor(lane, isDifference(lane) ? 0.75 : 1.1);
+  rect->setAutoMargins(QCP::msNone);
+  rect->setMargins(QMargins(TimeAxis::kLeft, lane == 0 ? 6 : 0, TimeAxis::kRight, lane == kLanes - 1 ? 4 : 0));
+  rect->setMinimumSize(40, 14);
+  for (auto* line : rect->axes()) {
+    line->setVisible(true);
+    line->setTicks(line->axisType() == QCPAxis::atLeft);
+    line->setTickLabels(line->axisType() == QCPAxis::atLeft);
+    line->setTickLength(0, 0);
+    line->setSubTickLength(0, 0);
+    line->setLayer("axes");
+    line->grid()->setLayer("grid");
+  }
+  // The vertical grid needs ticks, which are invisible with length zero.
+  rect->axis(QCPAxis::atBottom)->setTicks(true);
+  rect->axis(QCPAxis::atBottom)->ticker()->setTickCount(11);
+  QSharedPointer<QCPAxisTicker> ticker(new LaneTicker(rect, firstChannel(lane) == 0 ? 1.0 : torqueUnit().scale));
+  ticker->setTickCount(isDifference(lane) ? 2 : 3);
+  rect->axis(QCPAxis::atLeft)->setTicker(ticker);
+  rect->axis(QCPAxis::atLeft)->setTickLabelPadding(6);
+
+  p.noise[lane] = new QCPItemRect(p.canvas);
+  p.noise[lane]->setLayer("marks");
+  for (auto* position : {p.noise[lane]->topLeft, p.noise[lane]->bottomRight}) {
+    position->setAxisRect(rect);
+    position->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+    position->setTypeX(QCPItemPosition::ptAxisRectRatio);
+    position->setTypeY(QCPItemPosition::ptPlotCoords);
+  }
+  p.noise[lane]->setClipAxisRect(rect);
+  p.noise[lane]->setVisible(false);
+
+  p.traces[lane] = new TracePlottable(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+}
+
+void WrenchPlots::nameLane(int lane) {
+  Parts& p = *parts_;
+  const QString titles[kLanes] = {tr("Force"), tr("residual"), tr("Torque"), tr("residual")};
+  const QString units[kLanes] = {tr("N"), QString(), torqueUnit().name, QString()};
+  const auto addText = [&](const QString& text) {
+    auto* item = new QCPItemText(p.canvas);
+    item->setText(text);
+    item->setClipToAxisRect(false);
+    item->setPositionAlignment(Qt::AlignLeft | (isDifference(lane) ? Qt::AlignVCenter : Qt::AlignTop));
+    item->position->setAxisRect(p.rects[lane]);
+    item->position->setTypeX(QCPItemPosition::ptAbsolute);
+    item->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    item->position->setCoords(isDifference(lane) ? 8 : 12, isDifference(lane) ? 0.5 : 0.0);
+    return item;
+  };
+  p.titles[lane] = addText(titles[lane]);
+  if (!isDifference(lane)) {
+    p.units[lane] = addText(units[lane]);
+    p.units[lane]->position->setParentAnchor(p.titles[lane]->bottomLeft);
+    p.units[lane]->position->setType(QCPItemPosition::ptAbsolute);
+    p.units[lane]->position->setCoords(0, 1);
+  }
 }
 
 WrenchPlots::~WrenchPlots() = default;
@@ -627,7 +337,7 @@ void WrenchPlots::refresh() {
         if (!isShown(static_cast<Shown>(c)) || !isShown(shownAs)) continue;
         const bool simulated = kind == WrenchTraces::Kind::simulated;
         QColor colour = colours[static_cast<std::size_t>(c)];
-        // Noise of three channels lies on top of each other: each shines through those above.
+        // The noise of three channels overlaps: each is translucent.
         if (kind == WrenchTraces::Kind::difference) colour.setAlphaF(0.62);
         traces.push_back({traces_->thinned(kind, first + c, from, to, pixels), colour, thickness, simulated,
                           traces_->poses() && !simulated});

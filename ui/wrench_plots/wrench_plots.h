@@ -25,14 +25,13 @@ class WrenchPlots : public QWidget {
   void setSegments(std::vector<Segment> segments);
   const std::shared_ptr<const WrenchTraces>& traces() const { return traces_; }
 
-  /// A stretch that something is said about, framed in the accent colour with a word over it; an empty one: none.
+  /// A segment to point out, framed in the accent colour with a word above it; an empty one removes it.
   void setHighlight(double from, double to, const QString& word);
 
   /// With a brush dragging paints in its colour and gives stroked() instead of zooming.
   void setBrush(std::optional<MarkLabel> brush);
 
-  /// Where a second cursor stands, which is dragged by the mouse and put down with Ctrl and a click; NaN: there is
-  /// none.
+  /// A second cursor, which is dragged with the mouse and placed by Ctrl+click; NaN: none.
   void setSecondCursor(double time);
 
   enum class Shown { x, y, z, measured, simulated, difference };
@@ -48,7 +47,7 @@ class WrenchPlots : public QWidget {
   void timePicked(double time);
   /// The second cursor was moved.
   void secondPicked(double time);
-  /// A stretch was painted, earlier end first.
+  /// A segment was painted, earlier end first.
   void stroked(double from, double to);
 
  protected:
@@ -58,6 +57,9 @@ class WrenchPlots : public QWidget {
 
  private:
   struct Parts;
+  void buildLane(int lane);
+  /// Title and unit.
+  void nameLane(int lane);
   void restyle();
   void refresh();
   void rebuildBackgrounds();

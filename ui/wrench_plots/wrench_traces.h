@@ -20,7 +20,7 @@ struct ThinnedCurve {
 };
 
 /// What `pixels` columns over [from, to] show of `values` at rising `time`; two samples further apart than `gap` [s]
-/// are not joined. Where there are fewer samples than columns every sample in the stretch, and one neighbour on each
+/// are not joined. Where there are fewer samples than columns every sample in the segment, and one neighbour on each
 /// side.
 ThinnedCurve thinned(const std::vector<double>& time, const MinMaxPyramid& values, double gap, double from, double to,
                      int pixels);

@@ -42,7 +42,7 @@ class Hysteresis final : public Cause {
     std::vector<Form> out;
     std::vector<Parameter> each;
     for (int c = 0; c < 6; ++c) each.push_back({channelName(c), "%", 100.0, 0.01, -0.3, 0.3});
-    const auto add = [&](std::string name, int percent, Kind kind) {
+    const auto add = [&](const std::string& name, int percent, Kind kind) {
       out.push_back(formOf(this, fmt::format(fmt::runtime(name), percent), each));
       out.back().subset = true;
       out.back().choice = kind == kPlay ? std::vector<int>{percent} : std::vector<int>{percent, kind};

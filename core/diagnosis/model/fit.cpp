@@ -192,7 +192,8 @@ VectorXd weakPrior(const Model& model) {
   for (const auto& term : model.terms)
     for (std::size_t p = 0; p < term.form->parameters.size(); ++p) {
       const double longest = term.walk(static_cast<Eigen::Index>(p % 6));
-      sd(at++) = term.form->walk && longest > 0.0 ? std::sqrt(longest) / static_cast<double>(p / 6 + 1)
+      const std::size_t course = p / 6 + 1;
+      sd(at++) = term.form->walk && longest > 0.0 ? std::sqrt(longest) / static_cast<double>(course)
                                                   : 100.0 * term.form->parameters[p].size;
     }
   return sd;
@@ -343,7 +344,8 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
 
 Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit, const CachedJacobian* known) {
   Fit other = fitted(signals, stretches, fit.model, 8, Weights::whiteFirst, known);
-  return other.evidence > fit.evidence ? other : fit;
+  if (other.evidence > fit.evidence) return other;
+  return fit;
 }
 
 Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, CachedJacobian columns) {

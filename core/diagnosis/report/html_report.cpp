@@ -37,7 +37,7 @@ Left leftOf(const DiagnosisSeries& s) {
 /// Each channel over time, the size of the difference, and its spectrum.
 std::string differences(const DiagnosisSeries& s, const Left& left) {
   using html::plot;
-  std::string out = "<section><h2>Measured, simulated, difference</h2>\n";
+  std::string out = "<section><h2>Measured, simulated, residual</h2>\n";
   for (Eigen::Index c = 0; c < 6; ++c) {
     const VectorXd measured = s.measured.row(c).transpose();
     out += plot({kChannels[static_cast<std::size_t>(c)], unitOf(c)}, {"time", "s"}, s.time,
@@ -47,17 +47,16 @@ std::string differences(const DiagnosisSeries& s, const Left& left) {
   }
   for (const bool torque : {false, true}) {
     const Eigen::Index first = torque ? 3 : 0;
-    out +=
-        plot({torque ? "Size of the torque difference, unseen" : "Size of the force difference, unseen", unitOf(first)},
-             {"time", "s"}, s.time,
-             {{kBefore, "plain model", left.before.middleRows<3>(first).colwise().norm().transpose(), 1.0},
-              {kAfter, "extended model", left.after.middleRows<3>(first).colwise().norm().transpose(), 1.0}});
+    out += plot({torque ? "Torque residual, norm, on held-out segments" : "Force residual, norm, on held-out segments",
+                 unitOf(first)},
+                {"time", "s"}, s.time,
+                {{kBefore, "plain model", left.before.middleRows<3>(first).colwise().norm().transpose(), 1.0},
+                 {kAfter, "extended model", left.after.middleRows<3>(first).colwise().norm().transpose(), 1.0}});
   }
   for (const bool torque : {false, true}) {
     const auto spectrum = diagnosis::spectrumOf(s, torque);
     if (spectrum.frequency.size() == 0) continue;
-    out += plot({torque ? "Torque difference by frequency" : "Force difference by frequency",
-                 torque ? "N m/√Hz" : "N/√Hz", true},
+    out += plot({torque ? "Torque residual spectrum" : "Force residual spectrum", torque ? "N m/√Hz" : "N/√Hz", true},
                 {"frequency", "Hz", true}, spectrum.frequency,
                 {{kBefore, "plain model", spectrum.before, 1.2}, {kAfter, "extended model", spectrum.after, 1.2}});
   }
@@ -79,8 +78,9 @@ std::string places(const DiagnosisSeries& s, const Left& left) {
   }
   const double all = std::max(1e-300, energy.row(0).sum());
   std::string out =
-      "<section><h2>Where the difference lies</h2><p>Shares of all that the plain model leaves, by its energy; every "
-      "channel counts in units of its noise.</p>\n<table><tr><th>from [s]</th>";
+      "<section><h2>Where the residual is</h2><p>Shares of the plain model's residual energy; every channel is in "
+      "units "
+      "of its noise.</p>\n<table><tr><th>from [s]</th>";
   for (Eigen::Index part = 0; part < kParts; ++part)
     out += fmt::format("<th>{:.1f}</th>", s.time((part * blocks + kParts - 1) / kParts));
   for (const auto& [row, name] : {std::pair{0, "plain model"}, {1, "extended model"}}) {
@@ -98,8 +98,9 @@ double rounded(double value) { return std::round(100.0 * value) / 100.0 + 0.0; }
 /// How far the difference goes with what the robot did: correlations, and the closest of them as points.
 std::string companions(const DiagnosisSeries& s, const Left& left, std::span<const diagnosis::Witness> witnesses) {
   std::string out =
-      "<section><h2>What the difference goes with</h2><p>Correlation with each channel, plain model &rarr; extended "
-      "model; 1 or -1: wholly, 0: not at all.</p>\n<table><tr><th></th>";
+      "<section><h2>What the residual correlates with</h2><p>Correlation with each channel, plain model &rarr; "
+      "extended "
+      "model; 1 or -1: fully, 0: not at all.</p>\n<table><tr><th></th>";
   for (const char* channel : kChannels) out += fmt::format("<th>{}</th>", channel);
   out += "</tr>\n";
   const diagnosis::Witness* closest = nullptr;
@@ -121,7 +122,7 @@ std::string companions(const DiagnosisSeries& s, const Left& left, std::span<con
   }
   out += "</table>\n";
   if (closest != nullptr && closest->value.size() == s.time.size())
-    out += html::scatter({fmt::format("Difference, {}", kChannels[static_cast<std::size_t>(where)]), unitOf(where)},
+    out += html::scatter({fmt::format("Residual, {}", kChannels[static_cast<std::size_t>(where)]), unitOf(where)},
                          {diagnosis::witnessWords(closest->id), closest->unit}, closest->value,
                          {{kBefore, "plain model", left.before.row(where).transpose(), 4.0},
                           {kAfter, "extended model", left.after.row(where).transpose(), 4.0}});
@@ -205,7 +206,7 @@ std::string toHtml(const DiagnosisReport& report, std::span<const diagnosis::Wit
     out += "</table>\n";
     if (cause.gain.blocks > 0)
       out += fmt::format(
-          "<p>On segments that it was not fitted to: {:.3f} &rarr; {:.3f} N, {:.4f} &rarr; {:.4f} N m; better in {} "
+          "<p>On held-out segments: {:.3f} &rarr; {:.3f} N, {:.4f} &rarr; {:.4f} N m; better in {} "
           "of {}.</p>\n",
           cause.gain.forceBefore, cause.gain.forceAfter, cause.gain.torqueBefore, cause.gain.torqueAfter,
           cause.gain.blocksBetter, cause.gain.blocks);
@@ -226,7 +227,8 @@ std::string toHtml(const DiagnosisReport& report, std::span<const diagnosis::Wit
   out += payloadRow("before", report.before) + payloadRow("after", report.after) + "</table>";
   if (const auto moved = payloadShift(report); moved.maxCoeff() > 0.0)
     out += fmt::format(
-        "<p>In standard deviations before: mass {:.1f}, centre of mass {:.1f}, {:.1f}, {:.1f}, inertia up to "
+        "<p>Change in standard deviations of the earlier estimate: mass {:.1f}, centre of mass {:.1f}, {:.1f}, {:.1f}, "
+        "inertia up to "
         "{:.1f}.</p>",
         moved(0), moved(1), moved(2), moved(3), moved.tail<6>().maxCoeff());
   out += "</section>\n";

@@ -43,7 +43,7 @@ std::optional<Vector3d> pullAtCentre(const Fit& fit, std::string_view cause, dou
       if (found == all.end()) return std::nullopt;
       return term.v.segment<3>(found - all.begin());
     };
-    const auto place = vectorFrom("at_x"), force = vectorFrom("force_x");
+    auto place = vectorFrom("at_x"), force = vectorFrom("force_x");
     if (place && force && (*place - com).norm() < near) return force;
   }
   return std::nullopt;

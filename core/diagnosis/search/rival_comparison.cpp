@@ -188,7 +188,7 @@ std::optional<Fit> oneForTwo(const Signals& signals, const std::vector<Stretch>&
     if (!contains(final.model, other)) continue;
     const std::array<std::string_view, 2> both{cause, other};
     const Fit rest = fitModel(signals, stretches, without(without(final.model, cause), other));
-    const auto one = withOneOf(signals, stretches, bank, rest, both);
+    auto one = withOneOf(signals, stretches, bank, rest, both);
     if (one && believable(*one) && one->evidence > final.evidence - 2.0 * kTie) return one;
   }
   return std::nullopt;

@@ -132,7 +132,7 @@ bool mayBeSharpMotion(const Hypothesis& hypothesis, const Fit& without, const Fo
 }
 
 /// The fit with a zero that walks instead of a drift that takes any course, where that is more than nothing.
-Fit withWalkInstead(const Hypothesis& hypothesis, Fit rest) {
+Fit withWalkInstead(const Hypothesis& hypothesis, const Fit& rest) {
   const Cause& walk = *findCause(kRandomWalk);
   Model model = rest.model;
   for (Form& form : walk.forms(hypothesis.signals)) {

@@ -366,7 +366,7 @@ WhatRemains whatRemains(const Hypothesis& hypothesis, const Recording& cleaned, 
     std::ranges::move(claim.findings, std::back_inserter(out.findings));
     if (!claim.remaining) continue;
     if (unknown.replaces == Replaces::weaker && claim.remaining->gain < out.structure.gain) continue;
-    out.structure = std::move(*claim.remaining);
+    out.structure = *claim.remaining;
     out.claimed = true;
     out.seen = out.structure.gain == kSeenDirectly;
   }

@@ -205,10 +205,10 @@ void giveVerdict(const Hypothesis& hypothesis, const Structure& remaining, Diagn
   ambiguous |= dropUnknownMasses(out.causes);
   std::optional<Structure> more;
   if (verdictOf(out.causes, remaining) != Verdict::unexplained) more = dropSlight(hypothesis, out.causes);
-  Decision decision = decided(hypothesis, out.causes, more.value_or(remaining), ambiguous);
+  const Decision decision = decided(hypothesis, out.causes, more.value_or(remaining), ambiguous);
   out.verdict = decision.verdict;
   if (out.verdict == Verdict::explained && out.mistake && out.mistake->tied) out.verdict = Verdict::ambiguous;
-  out.remaining = std::move(decision.remaining);
+  out.remaining = decision.remaining;
 }
 
 namespace {

@@ -139,7 +139,8 @@ TEST(Passport, ThePageShowsNumbersInTheWantedUnits) {
   heavier.inertiaCom *= 1.05;
   nlohmann::json next = passport(shortReport(heavier, 10), "2026-11-29");
   next["since"] = toJson(*changeSince(made, "old.json", next));
-  EXPECT_NE(passportPage(next).find("The tool has changed, by more than chance."), std::string::npos);
+  EXPECT_NE(passportPage(next).find("The tool has changed: the difference exceeds the measurement uncertainty."),
+            std::string::npos);
   EXPECT_NE(passportText(next).find("Since the passport of 2026-11-28: The tool has changed"), std::string::npos);
 }
 

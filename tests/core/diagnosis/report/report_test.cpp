@@ -52,8 +52,8 @@ TEST(DiagnosisReport, TextAndPageNameTheCause) {
   EXPECT_NE(page.find("Force readings late (delay)"), std::string::npos);
   EXPECT_EQ(page.find("http"), std::string::npos) << "A page on its own fetches nothing.";
   EXPECT_EQ(page.find("nan"), std::string::npos);
-  for (const char* part : {"Force difference by frequency", "Torque difference by frequency",
-                           "Where the difference lies", "sign of the velocity, x", "<circle", "In standard deviations"})
+  for (const char* part : {"Force residual spectrum", "Torque residual spectrum", "Where the residual is",
+                           "sign of the velocity, x", "<circle", "in standard deviations"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   EXPECT_EQ(toHtml(made().report, {}).find("<circle"), std::string::npos);
 }

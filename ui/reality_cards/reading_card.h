@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "ui/controller/reality_findings.h"
-#include "ui/reality_panel/cause_card.h"
+#include "ui/reality_cards/cause_card.h"
 
 namespace heft {
 

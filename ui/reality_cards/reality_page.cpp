@@ -1,4 +1,4 @@
-#include "ui/reality_panel/reality_page.h"
+#include "ui/reality_cards/reality_page.h"
 
 #include <QCoreApplication>
 #include <QHBoxLayout>
@@ -14,8 +14,9 @@
 #include "core/diagnosis/correction/check_on_other.h"
 #include "ui/models/numbers.h"
 #include "ui/models/setup_words.h"
-#include "ui/reality_panel/cause_card.h"
-#include "ui/reality_panel/cause_words.h"
+#include "ui/reality_cards/cause_numbers.h"
+#include "ui/reality_cards/cause_words.h"
+#include "ui/widgets/basics.h"
 #include "ui/widgets/choice_box.h"
 
 namespace heft {

@@ -1,8 +1,8 @@
-#include "ui/reality_panel/open_question.h"
+#include "ui/reality_cards/open_question.h"
 
 #include "ui/controller/reality_findings.h"
-#include "ui/reality_panel/cause_card.h"
-#include "ui/reality_panel/cause_words.h"
+#include "ui/reality_cards/cause_numbers.h"
+#include "ui/reality_cards/cause_words.h"
 
 namespace heft {
 
@@ -12,7 +12,7 @@ OpenQuestion openQuestion(Workspace& workspace) {
   if (!open.report) return out;
   for (const DiagnosedCause* cause : open.causes) out.causes << sentenceOf(*cause, *open.report);
   out.moved = open.moved;
-  // What is applied already is not told as still to come.
+  // What is already applied is no longer an open question.
   if (workspace.corrections().causes.empty()) out.change = payloadChange(*open.report).text;
   return out;
 }

@@ -5,7 +5,7 @@
 
 namespace heft {
 
-/// Of the shown recording, by its reality check; empty while there is none, or all is applied.
+/// Of the shown recording, by its reality check; empty if there is none, or all is applied.
 OpenQuestion openQuestion(Workspace& workspace);
 
 /// What the user stated, else what the shown recording's setup file states.

@@ -1,6 +1,6 @@
 #pragma once
 // The lower half of the reality check's page: what the numbers become, the setup file, another recording, what was
-// looked for and what could not have been seen.
+// looked for and what would not have been detectable.
 #include <QString>
 #include <QStringList>
 #include <functional>

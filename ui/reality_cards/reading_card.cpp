@@ -1,4 +1,4 @@
-#include "ui/reality_panel/reading_card.h"
+#include "ui/reality_cards/reading_card.h"
 
 #include <QCoreApplication>
 #include <QHBoxLayout>
@@ -11,7 +11,8 @@
 #include "core/motion/motion.h"
 #include "ui/models/said_now.h"
 #include "ui/models/units.h"
-#include "ui/reality_panel/cause_words.h"
+#include "ui/reality_cards/card_parts.h"
+#include "ui/reality_cards/cause_words.h"
 #include "ui/theme/icons.h"
 
 namespace heft {

@@ -1,4 +1,4 @@
-#include "ui/reality_panel/cause_words.h"
+#include "ui/reality_cards/cause_words.h"
 
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/wording/unseen.h"

@@ -1,4 +1,4 @@
-#include "ui/robot_view/robot_look.h"
+#include "ui/robot_look/robot_look.h"
 
 #include <map>
 #include <mutex>
