@@ -96,6 +96,7 @@ int main(int count, char** arguments) {
   if (lengths.empty()) lengths = {"20", "60", "600", "3600", "10800"};
   std::filesystem::create_directories(given[1]);
   fmt::print("| length | s | s of processor time | x reference | MB |\n|---|---|---|---|---|\n");
+  std::fflush(stdout);  // Lest each child prints it again
   for (const std::string& length : lengths) {
     const std::string file = given[1] + "/free_" + length + "s.csv";
     if (!std::filesystem::exists(file) &&

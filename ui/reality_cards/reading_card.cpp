@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/motion/motion.h"
+#include "ui/models/numbers.h"
 #include "ui/models/said_now.h"
 #include "ui/models/units.h"
 #include "ui/reality_cards/card_parts.h"
