@@ -60,7 +60,7 @@ double advantage(const Prepared& first, const Prepared& second) {
     if (!first.used(k) || !second.used(k)) continue;
     for (int c = 0; c < 6; ++c) {
       sizes[static_cast<std::size_t>(c)].push_back(std::abs(first.unwhitened(c, k)));
-      sizes[static_cast<std::size_t>(6 + c)].push_back(std::abs(second.unwhitened(c, k)));
+      sizes[6 + static_cast<std::size_t>(c)].push_back(std::abs(second.unwhitened(c, k)));
     }
   }
   if (sizes[0].size() < 50) return 0.0;
@@ -253,12 +253,12 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
   }
   out.usedDuration = static_cast<double>(out.usedBlocks) / out.blocks.rateHz;
   // Under conventions that are out every motion looks touched: what is free cannot be told, so all is looked at.
-  if (6 * out.usedBlocks < 4 * kColumns && as.doubtful && mode != SegmentMode::all) {
+  if (6 * out.usedBlocks < Eigen::Index{4} * kColumns && as.doubtful && mode != SegmentMode::all) {
     EstimateOptions all = options;
     all.segments = SegmentMode::all;
     return prepareMotion(recording, robot, all, as);
   }
-  if (6 * out.usedBlocks < 4 * kColumns)
+  if (6 * out.usedBlocks < Eigen::Index{4} * kColumns)
     return Error{
         heft::say("Not enough free motion: of {:.1f} s only {:.1f} s are free inside the trimmed range. Check the "
                   "marks, or lower the trim.",

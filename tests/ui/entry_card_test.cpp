@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextStream>
+#include <nlohmann/json.hpp>
 
 #include "core/recording/csv_reader.h"
 #include "core/robot/robot_model.h"
