@@ -51,7 +51,7 @@ std::optional<ToldByForce> askForce(const AccelerometerRows& rows) {
   MatrixXd H = MatrixXd::Zero(12, 12), B(3, 12);
   VectorXd g = VectorXd::Zero(12);
   for (Eigen::Index k = 0; k < K; ++k) {
-    for (int c = 0; c < 3; ++c) B.middleCols<3>(3 * c) = y(c, k) * Matrix3d::Identity();
+    for (Eigen::Index c = 0; c < 3; ++c) B.middleCols<3>(3 * c) = y(c, k) * Matrix3d::Identity();
     B.rightCols<3>() = lever.middleCols<3>(3 * k);
     H += B.transpose() * B;
     g += B.transpose() * F.col(k);
