@@ -79,17 +79,23 @@ TEST(Segments, TheTrimIsLiftedOnlyWhereContactLeavesLittle) {
   EXPECT_NEAR(lifted->payload.mass, truth.mass, 0.02 * truth.mass);
 }
 
+/// Evenly spaced rows of orientation and wrench, to be filled.
+Recording roomForOrientation(Eigen::Index rows, double seconds) {
+  Recording out;
+  out.meta.gravity = {0.0, 0.0, -9.81};
+  out.time = VectorXd::LinSpaced(rows, 0.0, seconds - seconds / static_cast<double>(rows));
+  out.quaternion.resize(rows, 4);
+  out.wrench.resize(rows, 6);
+  return out;
+}
+
 TEST(Segments, OrientationAloneWithASwingIsUnderstood) {
   // A sensor that swings about a point 0.6 m away; without its position the centrifugal force would pass for payload.
   const Payload payload = test::boxPayload(0.9, {0.06, 0.06, 0.08}, {0.0, 0.0, 0.045});
   const Vector3d p_SoQ_S(0.0, 0.1, -0.6);
-  const Vector3d gravity(0.0, 0.0, -9.81);
   constexpr Eigen::Index kRows = 4000;
-  Recording recording;
-  recording.meta.gravity = gravity;
-  recording.time = VectorXd::LinSpaced(kRows, 0.0, 8.0 - 0.002);
-  recording.quaternion.resize(kRows, 4);
-  recording.wrench.resize(kRows, 6);
+  Recording recording = roomForOrientation(kRows, 8.0);
+  const Vector3d gravity = recording.meta.gravity;
   std::mt19937 random(5);
   std::normal_distribution<double> noise;
   for (Eigen::Index i = 0; i < kRows; ++i) {
@@ -118,13 +124,9 @@ TEST(Segments, AnAccelerometerBesideTheSensorGivesWhatTheOrientationLacks) {
   const Payload payload = test::boxPayload(0.9, {0.06, 0.06, 0.08}, {0.01, -0.005, 0.045});
   const Vector3d place(0.03, -0.02, 0.05);  // [m]
   const Matrix3d R_SI = rotationFromRpy({1.5, 0.1, -2.0});
-  const Vector3d gravity(0.0, 0.0, -9.81);
   constexpr Eigen::Index kRows = 1200;
-  Recording recording;
-  recording.meta.gravity = gravity;
-  recording.time = VectorXd::LinSpaced(kRows, 0.0, 12.0 - 0.01);
-  recording.quaternion.resize(kRows, 4);
-  recording.wrench.resize(kRows, 6);
+  Recording recording = roomForOrientation(kRows, 12.0);
+  const Vector3d gravity = recording.meta.gravity;
   recording.accelerometer.resize(kRows, 3);
   std::mt19937 random(7);
   std::normal_distribution<double> noise;

@@ -63,6 +63,15 @@ void writeOddOnes(hid_t file) {
   writeNumbers(file, "images", 4, cube, [](hsize_t) { return 1.0; });
 }
 
+/// The demonstration that `use` chooses is the formula's.
+void expectFormulaIn(const std::filesystem::path& path, const std::string& use) {
+  ImportOptions options;
+  options.use = {use};
+  const auto chosen = openRecording(path, options);
+  ASSERT_TRUE(chosen.ok()) << chosen.error().message;
+  expectFormula(chosen->recording);
+}
+
 TEST_F(OddHdf5, NothingButOddTypesIsOneSentence) {
   const auto path = write("odd.h5", "");
   const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
@@ -156,11 +165,7 @@ TEST_F(OddHdf5, TablesOfOneFormAreDemonstrations) {
   EXPECT_THAT(texts, ::testing::HasSubstr("holds 2 demonstrations; /runs/evening was read, not /runs/morning"));
   EXPECT_THAT(texts, ::testing::Not(::testing::HasSubstr("131072")));
   EXPECT_NEAR(first->recording.wrench(0, 2), -10.0, 1e-9);
-  ImportOptions options;
-  options.use = {"demo=morning"};
-  const auto chosen = openRecording(path, options);
-  ASSERT_TRUE(chosen.ok()) << chosen.error().message;
-  expectFormula(chosen->recording);
+  expectFormulaIn(path, "demo=morning");
 }
 
 /// Datasets t, q, wrench under `group` of `file`.
@@ -186,11 +191,8 @@ TEST_F(OddHdf5, OneOfSeveralDemonstrationsIsReadAndCanBeChosen) {
   ASSERT_TRUE(first.ok()) << first.error().message;
   EXPECT_TRUE(hasCode(first->findings, "several_demonstrations"));
   EXPECT_NEAR(first->recording.wrench(0, 2), -10.0, 1e-9);
+  expectFormulaIn(path, "demo=/demo_1");
   ImportOptions options;
-  options.use = {"demo=/demo_1"};
-  const auto chosen = openRecording(path, options);
-  ASSERT_TRUE(chosen.ok()) << chosen.error().message;
-  expectFormula(chosen->recording);
   options.use = {"demo=/demo_7"};
   EXPECT_FALSE(openRecording(path, options).ok());
 }
