@@ -49,11 +49,13 @@ void writeTouched(const RoomArguments& options) {
   for (std::size_t i = 0; i < touched.planes.size(); ++i) {
     const TouchedPlane& p = touched.planes[i];
     text += fmt::format(
-        "  {:<10} {} touch{}, faces ({:.2f}, {:.2f}, {:.2f}) to {:.0f} degrees, {:.1f} mm along it from the base's "
-        "origin to {:.1f} mm\n",
+        "  {:<10} {} touch{}, faces ({:.2f}, {:.2f}, {:.2f}){}, {:.1f} mm along it from the base's origin to {:.1f} "
+        "mm\n",
         room.obstacles[i].name, p.when.size(), p.when.size() == 1 ? "" : "es", p.plane.normal.x(), p.plane.normal.y(),
-        p.plane.normal.z(), p.normalSpread * 180.0 / std::numbers::pi, 1e3 * p.plane.normal.dot(p.plane.point),
-        1e3 * p.offsetSpread);
+        p.plane.normal.z(),
+        fmt::format(fmt::runtime(p.plumb ? "; the touch alone tells it to {:.0f} degrees" : " to {:.0f} degrees"),
+                    p.normalSpread * 180.0 / std::numbers::pi),
+        1e3 * p.plane.normal.dot(p.plane.point), 1e3 * p.offsetSpread);
   }
   print(text);
 }

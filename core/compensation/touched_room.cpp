@@ -68,9 +68,18 @@ std::vector<Vector3d> endsOf(const Touch& touch, const Eigen::Matrix3Xd& tool, c
   return ends;
 }
 
+/// `normal`, or the nearest direction along or across `up` where that is within `spread` [rad]: tables are level, walls
+/// are plumb, and a hand's pressing tells a direction to several degrees only.
+Vector3d plumb(const Vector3d& normal, const Vector3d& up, double spread) {
+  const double along = normal.dot(up);
+  if (std::acos(std::min(1.0, std::abs(along))) < spread) return std::copysign(1.0, along) * up;
+  if (std::asin(std::min(1.0, std::abs(along))) < spread) return (normal - along * up).normalized();
+  return normal;
+}
+
 /// The plane that a touch tells, or why it tells none. What presses is the normal's and friction's, and friction is
-/// along the way that the tool slides.
-Result<TouchedPlane> planeOf(const Touch& touch, const Eigen::Matrix3Xd& tool) {
+/// along the way that the tool slides. `up` against gravity, base axes.
+Result<TouchedPlane> planeOf(const Touch& touch, const Eigen::Matrix3Xd& tool, const Vector3d& up) {
   if (touch.force.empty()) return Error{heft::say("it is pressed with less than {:.0f} N", kLeastForce)};
   Vector3d normal = Vector3d::Zero();
   for (const Vector3d& force : touch.force) normal += force;
@@ -91,16 +100,21 @@ Result<TouchedPlane> planeOf(const Touch& touch, const Eigen::Matrix3Xd& tool) {
     ends = endsOf(touch, tool, normal, moves);
   }
   TouchedPlane out;
+  const auto count = static_cast<double>(ends.size());
   double turned = 0.0;
+  for (const Vector3d& force : pressing)
+    turned += std::pow(std::acos(std::clamp(force.normalized().dot(normal), -1.0, 1.0)), 2);
+  out.normalSpread = std::sqrt(turned / count);
+  const Vector3d square = plumb(normal, up, out.normalSpread);
+  out.plumb = square != normal;
+  normal = square;
+  ends = endsOf(touch, tool, normal, moves);
   std::vector<double> heights;
   Vector3d place = Vector3d::Zero();
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    turned += std::pow(std::acos(std::clamp(pressing[i].normalized().dot(normal), -1.0, 1.0)), 2);
-    heights.push_back(normal.dot(ends[i]));
-    place += ends[i];
+  for (const Vector3d& end : ends) {
+    heights.push_back(normal.dot(end));
+    place += end;
   }
-  const auto count = static_cast<double>(ends.size());
-  out.normalSpread = std::sqrt(turned / count);
   out.offsetSpread = robustStd(heights);
   place /= count;
   out.plane = {place + (median(heights) - normal.dot(place)) * normal, normal};
@@ -120,10 +134,12 @@ bool isSame(const TouchedPlane& a, const TouchedPlane& b) {
 /// Weighted by their touches.
 void join(TouchedPlane& into, const TouchedPlane& other) {
   const double n = static_cast<double>(into.when.size());
+  into.offsetSpread = std::max({into.offsetSpread, other.offsetSpread,
+                                0.5 * std::abs(into.plane.normal.dot(other.plane.point - into.plane.point))});
+  into.plumb = into.plumb && other.plumb;
   into.plane.normal = (n * into.plane.normal + other.plane.normal).normalized();
   into.plane.point = (n * into.plane.point + other.plane.point) / (n + 1.0);
   into.normalSpread = std::max(into.normalSpread, other.normalSpread);
-  into.offsetSpread = std::max(into.offsetSpread, other.offsetSpread);
   into.when.push_back(other.when.front());
 }
 
@@ -146,9 +162,10 @@ Result<TouchedRoom> touchedRoom(const Recording& recording, const RobotModel* ro
     points.middleCols(count, body.cols()) = body;
     count += body.cols();
   }
+  const Vector3d up = (Vector3d::Zero() - recording.meta.gravity).normalized();  // No -0
   for (const PhaseSegment& segment : compensated.segments) {
     if (segment.phase != Phase::contact) continue;
-    const auto plane = planeOf(touchOf(segment, compensated, *motion), points);
+    const auto plane = planeOf(touchOf(segment, compensated, *motion), points, up);
     if (!plane) {
       out.findings.push_back({Severity::info,
                               "touch_without_plane",

@@ -16,6 +16,7 @@ struct TouchedPlane {
   std::vector<std::pair<double, double>> when;  ///< Touches that it comes from [s]
   double normalSpread = 0.0;                    ///< Of the force's direction about the normal [rad]
   double offsetSpread = 0.0;                    ///< Of the plane along its normal [m]
+  bool plumb = false;  ///< The normal was taken along or across gravity, which `normalSpread` allows
 };
 
 struct TouchedRoom {
@@ -24,9 +25,9 @@ struct TouchedRoom {
 };
 
 /// Each contact of `compensated`, which is of this recording, is taken for a touch of something flat: its normal is the
-/// mean direction of what presses on the tool, less what is along the way that the tool slides (friction), and it
-/// begins where the tool's shape ends against that direction. Touches of the same plane are one. Fails where the
-/// sensor's position is not known, and where the shape cannot be read.
+/// mean direction of what presses on the tool, less what is along the way that the tool slides (friction), taken as
+/// level or plumb where its spread allows; the plane begins where the tool's shape ends against that direction. Touches
+/// of the same plane are one. Fails where the sensor's position is not known, and where the shape cannot be read.
 Result<TouchedRoom> touchedRoom(const Recording& recording, const RobotModel* robot, const Compensated& compensated,
                                 const Shape& tool);
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/simulation/simulate.h"
 
@@ -87,6 +88,17 @@ TEST(TouchedRoom, TableAndWallAreFoundWhereTheyAre) {
       // It gives way by up to 3 mm, and the pin is 1 mm thick at its axis.
       EXPECT_NEAR(truth.normal.dot(plane.point - truth.point), 0.0, 0.005) << name;
     }
+}
+
+TEST(TouchedRoom, OnlyWhatMayBeLevelIsTakenAsLevel) {
+  const Recording free = pressedAgainst({}, 0.0, 4);
+  for (const double tilt : {0.0, 25.0}) {
+    const Vector3d normal(0.0, std::sin(tilt * std::numbers::pi / 180.0), std::cos(tilt * std::numbers::pi / 180.0));
+    const TouchedRoom touched = touchedIn(pressedAgainst({planeAcross(free, normal, 0.003)}, 0.3, 4));
+    ASSERT_EQ(touched.planes.size(), 1u) << tilt;
+    EXPECT_EQ(touched.planes[0].plumb, tilt == 0.0) << tilt;
+    EXPECT_GT(touched.planes[0].plane.normal.dot(normal), std::cos(tilt == 0.0 ? 1e-6 : 0.15)) << tilt;
+  }
 }
 
 TEST(TouchedRoom, WithoutATouchThereIsNone) { EXPECT_TRUE(touchedIn(pressedAgainst({}, 0.0, 5)).planes.empty()); }
