@@ -25,9 +25,10 @@ void proveFiles(const ProveArguments& options) {
   settings.segments = segmentChoice(options.segments);
   const Overwrite overwrite{options.force, [](const std::string& old) { return hasSchema(old, "heft.prove/1"); }};
   if (!options.json.empty()) requireWritable(options.json, overwrite);
-  const EnteredPayload entered = orFail(enteredPayloadFromJson(orFail(readJsonFile(options.payload)), options.payload));
+  const auto payload = orFail(readJsonFile(options.payload));
   ProgressLine line;
   const Input input = readInput(options.recording, options.import, options.robot, line.progress());
+  const EnteredPayload entered = orFail(enteredPayloadFromJson(payload, options.payload, input.recording.meta.mount));
   const Proof proof = orFail(prove(entered, input.recording, input.model(), settings, input.findings, line.progress()));
   line.clear();
   if (!options.json.empty()) writeOutput(options.json, fileText(toJson(proof)), overwrite);
@@ -40,7 +41,9 @@ void proveFiles(const ProveArguments& options) {
 Command makeProveCommand(CLI::App& root) {
   auto options = std::make_shared<ProveArguments>();
   CLI::App* app = root.add_subcommand("prove", "Verify with a new recording that the entered payload is right");
-  app->add_option("PAYLOAD", options->payload, "JSON from 'heft estimate --json', or a payload JSON in sensor axes")
+  app->add_option(
+         "PAYLOAD", options->payload,
+         "JSON from 'heft estimate --json', a payload JSON in sensor axes, or Franka's file from 'heft export'")
       ->type_name("")
       ->required();
   app->add_option("RECORDING", options->recording,

@@ -9,6 +9,8 @@
 #include "core/compensation/payload_difference.h"
 #include "core/estimation/estimate_prepared.h"
 #include "core/estimation/judgement.h"
+#include "core/exporters/controller_file.h"
+#include "core/exporters/flange.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft {
@@ -102,6 +104,17 @@ bool leavesMoreThanNoise(const Prepared& prepared, const Proof& proof) {
   return (left.array() > kBeyondNoise * proof.noise.array()).any();
 }
 
+/// A controller's file, from flange axes to those of the sensor.
+Result<Payload> inSensorAxes(const nlohmann::json& object, const std::string& where, const SensorMount& mount) {
+  auto payload = controllerPayloadFromJson(object, where);
+  if (!payload) return payload;
+  FlangeOptions options;
+  options.mount = mount;
+  const auto placed = toFlange(toJson(*payload), where, options);
+  if (!placed) return placed.error();
+  return transformed(*payload, placed->X_FS.inverse());
+}
+
 }  // namespace
 
 std::string_view toString(ProofVerdict verdict) {
@@ -116,8 +129,9 @@ std::string_view toString(ProofVerdict verdict) {
   return "cannot_tell";
 }
 
-Result<EnteredPayload> enteredPayloadFromJson(const nlohmann::json& object, const std::string& where) {
-  auto payload = payloadFromJson(object, where);
+Result<EnteredPayload> enteredPayloadFromJson(const nlohmann::json& object, const std::string& where,
+                                              const SensorMount& mount) {
+  auto payload = isControllerFile(object) ? inSensorAxes(object, where, mount) : payloadFromJson(object, where);
   if (!payload) return payload.error();
   EnteredPayload out{*payload, {0.0, Vector3d::Zero(), Matrix3d::Zero()}, Trust::good, where};
   if (!(out.payload.mass > 0.0)) return Error{heft::say("{}: the mass must be above zero.", where)};

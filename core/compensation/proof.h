@@ -23,8 +23,10 @@ struct EnteredPayload {
   Trust trust = Trust::good;  ///< That its file gives it.
   std::string file;
 };
-/// Of a heft.estimate/1 or a bare payload, in sensor axes.
-Result<EnteredPayload> enteredPayloadFromJson(const nlohmann::json& object, const std::string& where);
+/// Of a heft.estimate/1 or a bare payload, in sensor axes; or of a controller's own file (isControllerFile()), which is
+/// in flange axes and is brought to the sensor's by `mount`. It must hold what the sensor carries and nothing else.
+Result<EnteredPayload> enteredPayloadFromJson(const nlohmann::json& object, const std::string& where,
+                                              const SensorMount& mount = {});
 
 struct Proof {
   ProofVerdict verdict = ProofVerdict::cannotTell;

@@ -46,12 +46,17 @@ Payload fromProfile(const json& inertial) {
   return out;
 }
 
+bool isDesk(const json& object) {
+  return object.is_object() && object.contains("mass") && object.contains("centerOfMass");
+}
+
 }  // namespace
 
+bool isControllerFile(const json& object) { return isDesk(object) || partOf(object, "inertial").is_object(); }
+
 Result<Payload> controllerPayloadFromJson(const json& object, const std::string& where) {
-  const bool desk = object.is_object() && object.contains("mass") && object.contains("centerOfMass");
-  if (desk || partOf(object, "inertial").is_object()) {
-    const Payload read = desk ? fromDesk(object) : fromProfile(object["inertial"]);
+  if (isControllerFile(object)) {
+    const Payload read = isDesk(object) ? fromDesk(object) : fromProfile(object["inertial"]);
     if (!std::isfinite(read.mass) || !read.com.allFinite() || !read.inertiaCom.allFinite())
       return Error{
           heft::say("{}: mass, centre of mass or inertia is missing or holds something that is not a number.", where)};

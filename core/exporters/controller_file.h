@@ -8,6 +8,9 @@
 
 namespace heft {
 
+/// Whether it is a Franka Desk end effector or a Franka tool profile, as controllers keep them: in F axes.
+bool isControllerFile(const nlohmann::json& object);
+
 /// Reads a Franka Desk end effector, a Franka tool profile, a result of 'heft estimate' or a bare payload. A result is
 /// placed on the flange by its own mount; the others are in F axes as they stand.
 /// Fails with one sentence that names `where` if it is none of these, or if a number in it is wrong.

@@ -62,6 +62,25 @@ TEST(Proof, PassesTheRightPayloadInNinetyNineOfAHundred) {
   EXPECT_GE(passed, 38) << failures;  // three and more of 40 fail by chance once in 130
 }
 
+TEST(Proof, ReadsTheControllersFileInFlangeAxes) {
+  const Recording recording = guided(kProved, 7250);
+  const Isometry3d X_FS = poseFromXyzRpy(recording.meta.mount.xyz, recording.meta.mount.rpy);
+  ASSERT_GT(X_FS.translation().norm(), 0.01) << "the axes must differ";
+  const Payload p = transformed(kProved, X_FS);
+  const Matrix3d& I = p.inertiaCom;
+  const nlohmann::json desk{{"mass", p.mass},
+                            {"centerOfMass", {p.com.x(), p.com.y(), p.com.z()}},
+                            {"inertia", std::vector<double>(I.data(), I.data() + 9)}};
+  const auto entered = enteredPayloadFromJson(desk, "desk.json", recording.meta.mount);
+  ASSERT_TRUE(entered) << entered.error().message;
+  EXPECT_LT((toParameters(entered->payload) - toParameters(kProved)).norm(), 1e-12);
+  EXPECT_EQ(proofOf(*entered, recording).verdict, ProofVerdict::pass);
+  SensorMount elsewhere = recording.meta.mount;
+  elsewhere.xyz.x() += 0.02;
+  EXPECT_EQ(proofOf(*enteredPayloadFromJson(desk, "desk.json", elsewhere), recording).reasons.front().code,
+            "other_centre");
+}
+
 TEST(Proof, AWrongMassOrCentreFails) {
   for (unsigned seed = 0; seed < 6; ++seed) {
     const Recording recording = guided(kProved, 7300 + seed);
