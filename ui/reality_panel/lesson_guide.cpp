@@ -62,8 +62,9 @@ void LessonGuide::begin(const Lesson& lesson) {
   // A name of its own each time: a file that is open already would not be read again.
   QDir().mkpath(practiceFolder());
   QString name = QString::fromStdString(lesson.title.in("en")).toLower();
-  name.replace(QRegularExpression(QStringLiteral("[^a-z0-9]+")), QStringLiteral("-"));
-  file_ = freeFile(practiceFolder(), QStringLiteral("lesson-") + name.left(60), QStringLiteral("csv"));
+  name.replace(QRegularExpression(QStringLiteral("[^a-z0-9]+")), QStringLiteral(" "));
+  name = name.left(60).trimmed().replace(' ', '-');
+  file_ = freeFile(practiceFolder(), QStringLiteral("lesson-") + name, QStringLiteral("csv"));
   knobs_->setOn(false);
   setStep(0);
   jobs_.start(

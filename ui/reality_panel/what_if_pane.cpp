@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,6 @@ namespace {
 constexpr double kLeavesItsInterval = 1.96;  // Standard deviations
 constexpr double kMuchAlike = 0.8;           // Share of what is left that a look-alike explains, to be named so
 constexpr Eigen::Index kMostPoints = 700;    // Of a curve: about a pixel each
-constexpr int kWordsWidth = 330;             // [px] The longest row of numbers and a scroll bar
 
 /// Places of the numbers shown among those of files, and how they are shown.
 struct Shown {
@@ -81,20 +81,19 @@ WhatIfPane::WhatIfPane(QWidget* parent) : QWidget(parent) {
   }
   row->addLayout(curves, 3);
   // In a low window the words are longer than the pane.
-  auto* scroll = new QScrollArea(this);
+  auto* scroll = scroll_ = new QScrollArea(this);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(kWordsWidth);
   auto* told = new QWidget(scroll);
   told->setObjectName("panelContent");
   scroll->setWidget(told);
   auto* words = new QVBoxLayout(told);
   words->setContentsMargins(0, 0, 4, 0);
   words->setSpacing(6);
-  auto* grid = new QGridLayout;
-  addNumbers(grid);
-  words->addLayout(grid);
+  grid_ = new QGridLayout;
+  addNumbers(grid_);
+  words->addLayout(grid_);
   verdict_ = wrappedLabel({}, "findingText", this);
   verdict_->setObjectName("whatIfVerdict");
   alike_ = wrappedLabel({}, "body", this);
@@ -139,6 +138,18 @@ void WhatIfPane::showNumbers(const WhatIfState& calm, const WhatIfState& state, 
                            .arg(numberText(s.scale * is(s.component), decimals), numberText(half, decimals), s.unit));
     row.before->setText(tr("was %1").arg(numberText(s.scale * was(s.component), decimals)));
   }
+  // As wide as the longest row so far: nothing is cut, and the curves do not jump with each step of a slider.
+  int width = scroll_->verticalScrollBar()->sizeHint().width() + 2 * grid_->horizontalSpacing();
+  for (int column = 0; column < grid_->columnCount(); ++column) {
+    int widest = 0;
+    for (int row = 0; row < kNumbers; ++row) {
+      QWidget* cell = grid_->itemAtPosition(row, column)->widget();
+      cell->ensurePolished();
+      widest = std::max(widest, cell->sizeHint().width());
+    }
+    width += widest + grid_->horizontalSpacing();
+  }
+  scroll_->setMinimumWidth(std::max(scroll_->minimumWidth(), width));
 }
 
 void WhatIfPane::showCurves(const WhatIfState& calm, const WhatIfState& state) {

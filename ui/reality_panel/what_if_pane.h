@@ -9,6 +9,7 @@
 
 class QGridLayout;
 class QLabel;
+class QScrollArea;
 
 namespace heft {
 
@@ -41,6 +42,8 @@ class WhatIfPane : public QWidget {
   std::array<ChartWidget*, 2> charts_{};
   std::array<NumberRow, kNumbers> numbers_{};
   QLabel *verdict_, *alike_;
+  QScrollArea* scroll_;
+  QGridLayout* grid_;
 };
 
 /// "12 ms", "0.40 N/m"
