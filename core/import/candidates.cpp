@@ -55,7 +55,7 @@ class StreamGuess {
       : stream_(streams[index]), index_(index), out_(out) {}
 
   void run(const std::vector<std::string>& jointNames) {
-    Families wrenches, arrays, positions, quaternions, matrices, joints, velocities, accelerations, rates;
+    Families wrenches, fromOne, arrays, positions, quaternions, matrices, joints, velocities, accelerations, rates;
     for (const auto& field : stream_.fields) names_.push_back(readFieldName(field));
     for (std::size_t f = 0; f < names_.size(); ++f) {
       const Words& words = names_[f].words;
@@ -64,6 +64,7 @@ class StreamGuess {
         families[member.family].try_emplace(member.index, f);
       };
       if (const auto wrench = asWrench(names_[f])) put(wrenches, *wrench);
+      if (const auto wrench = asWrenchFromOne(words)) put(fromOne, *wrench);
       if (const auto array = asWrenchArray(words)) put(arrays, *array);
       if (const auto pose = asPose(words)) put(pose->quaternion ? quaternions : positions, *pose);
       if (const auto matrix = asMatrix(words)) put(matrices, *matrix);
@@ -71,6 +72,9 @@ class StreamGuess {
       if (const auto joint = asJoint(names_[f])) put(joint->velocity ? velocities : joints, *joint);
     }
     mergeWrenches(wrenches);
+    // Where counting from zero does not give six, which it would with one more at the front.
+    for (auto& [family, fields] : fromOne)
+      if (fields.size() == 6 && wrenches[family].size() < 6) wrenches[family] = std::move(fields);
     for (const auto& [family, fields] : wrenches)
       if (fields.size() == 6) addWrench(family, fields, 0);
     for (const auto& [family, fields] : arrays)

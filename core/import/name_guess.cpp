@@ -101,6 +101,16 @@ std::optional<Member> asWrench(const FieldName& name) {
   return std::nullopt;
 }
 
+std::optional<Member> asWrenchFromOne(const Words& words) {
+  if (words.size() < 2 || words.back().size() != 1 || words.back()[0] < '1' || words.back()[0] > '3')
+    return std::nullopt;
+  const std::string& kind = words[words.size() - 2];
+  const int index = words.back()[0] - '1';
+  if (isOne(kind, kForceWords)) return Member{index, without(words, words.size() - 2, 2)};
+  if (isOne(kind, kTorqueWords)) return Member{3 + index, without(words, words.size() - 2, 2)};
+  return std::nullopt;
+}
+
 std::optional<Member> asWrenchArray(const Words& words) {
   if (words.size() < 2 || words.back().size() != 1 || !isDigits(words.back())) return std::nullopt;
   Words family(words.begin(), words.end() - 1);

@@ -37,6 +37,8 @@ int doubtOf(const Words& words);
 
 /// 0..5 of a wrench: "fx", "force x", "wrench.torque.z", "ft[3]", "Fx_raw", "couple_x (Nm)".
 std::optional<Member> asWrench(const FieldName& name);
+/// The same of names that count from one: "F1", "F_3", "moment2".
+std::optional<Member> asWrenchFromOne(const Words& words);
 /// An element of an array of six: "ft_raw_wrench_0", "fts_reading_1", "actual_TCP_force_5", "forceTorque[3]".
 std::optional<Member> asWrenchArray(const Words& words);
 /// 0..2 of a place, or 0..3 (x, y, z, w) of a quaternion.

@@ -90,6 +90,13 @@ std::string_view toString(FileKind kind) {
   return "";
 }
 
+/// Messages as ROS prints them: fields over several lines, with "---" between messages.
+bool isEchoedYaml(std::string_view text) {
+  const auto line = text.substr(0, text.find('\n'));
+  return line.ends_with(':') && line.find_first_of(",;\t ") == std::string_view::npos &&
+         text.find("\n---\n") != std::string_view::npos;
+}
+
 Result<FileKind> recognise(const std::filesystem::path& path) {
   std::error_code code;
   const auto name = displayName(path);
@@ -130,6 +137,14 @@ Result<FileKind> recognise(const std::filesystem::path& path) {
                              "pandas.{}('{}').to_csv('{}.csv', index=False)\".",
                              bytes.starts_with("PAR1") ? "read_parquet" : "read_feather", name,
                              displayName(path.filename().stem())));
+  if (bytes.size() > 2 && bytes[0] == '\x80' && bytes[1] >= 2 && bytes[1] <= 5)
+    return errorAt({name, 0, 0},
+                   heft::say("this looks like a pickle, which only the Python program that wrote it can read."),
+                   heft::say("Save the arrays from there by numpy.savez, or as CSV."));
+  if (isEchoedYaml(bytes))
+    return errorAt({name, 0, 0}, heft::say("this is what 'ros2 topic echo' prints, as YAML."),
+                   heft::say("Record the topics of motion and wrench together by 'ros2 bag record', or echo each with "
+                             "--csv and join the two by --join."));
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) return FileKind::table;
   const auto content = bytes.find_first_not_of(" \t\r\n");
   if (content != std::string_view::npos && bytes[content] == '{') {

@@ -162,27 +162,92 @@ class Table {
   }
 };
 
-/// Cells as numbers; text becomes NaN. Dates and times of the day count as seconds where hardly a cell is a number.
-std::vector<double> toNumbers(const std::vector<std::string>& cells) {
-  std::vector<double> out;
-  out.reserve(cells.size());
-  for (const auto& cell : cells) {
-    double value = kNoNumber;
-    const char* const end = cell.data() + cell.size();
-    if (cell.empty() || csv::parseNumber(cell.data(), end, value) != end || !std::isfinite(value)) value = kNoNumber;
-    out.push_back(value);
+/// "1,234.5" as a number: commas between groups of three digits before a decimal point.
+double groupedNumber(std::string_view cell) {
+  std::string out;
+  std::size_t since = 0, commas = 0;
+  const std::size_t point = cell.find('.');
+  if (point == std::string_view::npos) return kNoNumber;
+  for (const char c : cell.substr(0, point)) {
+    if (c != ',') {
+      since += c >= '0' && c <= '9' ? 1 : 0;
+      out += c;
+    } else if (since == 0 || since > 3 || (commas > 0 && since != 3)) {
+      return kNoNumber;
+    } else {
+      ++commas;
+      since = 0;
+    }
   }
-  const auto numbers = std::count_if(out.begin(), out.end(), [](double value) { return std::isfinite(value); });
-  if (static_cast<std::size_t>(numbers) * 20 > cells.size()) return out;
-  std::vector<double> dates;
-  dates.reserve(cells.size());
-  for (const auto& cell : cells) {
-    const auto seconds = secondsOfDate(cell);
-    if (!seconds && !cell.empty() && dates.size() < 3) return out;
-    dates.push_back(seconds.value_or(kNoNumber));
-  }
-  return dates;
+  out += cell.substr(point);
+  double value = kNoNumber;
+  const bool whole = csv::parseNumber(out.data(), out.data() + out.size(), value) == out.data() + out.size();
+  return commas > 0 && since == 3 && whole ? value : kNoNumber;
 }
+
+/// Columns of cells as numbers, and which cells of them hold something else.
+class CellReader {
+ public:
+  /// Text becomes NaN. Dates and times of the day count as seconds where hardly a cell is a number.
+  std::vector<double> numbers(const std::string& name, const std::vector<std::string>& cells) {
+    std::vector<double> out;
+    out.reserve(cells.size());
+    std::vector<std::size_t> others;  // Rows with text
+    std::size_t read = 0;
+    for (std::size_t r = 0; r < cells.size(); ++r) {
+      const std::string& cell = cells[r];
+      double value = kNoNumber;
+      const char* const end = cell.data() + cell.size();
+      const bool plain = !cell.empty() && csv::parseNumber(cell.data(), end, value) == end;
+      if (!plain && !cell.empty()) {
+        value = groupedNumber(cell);
+        if (std::isnan(value) && !isMissingValue(cell)) others.push_back(r);
+      }
+      if (!std::isfinite(value)) value = kNoNumber;
+      read += std::isnan(value) ? 0 : 1;
+      out.push_back(value);
+    }
+    if (read * 20 > cells.size()) {
+      // Half of a column that are numbers make the rest a damage, and not a remark.
+      if (!others.empty() && read >= others.size()) note(name, cells[others.front()], others);
+      return out;
+    }
+    std::vector<double> dates;
+    dates.reserve(cells.size());
+    for (const auto& cell : cells) {
+      const auto seconds = secondsOfDate(cell);
+      if (!seconds && !cell.empty() && dates.size() < 3) return out;
+      dates.push_back(seconds.value_or(kNoNumber));
+    }
+    return dates;
+  }
+
+  /// `lines`: of the rows in the file.
+  void say(const std::vector<std::uint32_t>& lines, StreamSet& set) const {
+    if (count_ == 0) return;
+    const long line = firstRow_ < lines.size() ? static_cast<long>(lines[firstRow_]) : 0;
+    set.findings.push_back({Severity::warning,
+                            "cells_no_numbers",
+                            heft::say("{} cells hold no number, for instance \"{}\" under \"{}\"; their rows were left "
+                                      "out of that column.",
+                                      count_, printable(cell_), printable(name_)),
+                            heft::say("Correct them, or export the table again."),
+                            {set.file, line, 0}});
+  }
+
+ private:
+  void note(const std::string& name, const std::string& cell, const std::vector<std::size_t>& rows) {
+    if (count_ == 0 || rows.front() < firstRow_) {
+      name_ = name;
+      cell_ = cell;
+      firstRow_ = rows.front();
+    }
+    count_ += rows.size();
+  }
+
+  std::size_t count_ = 0, firstRow_ = 0;
+  std::string name_, cell_;
+};
 
 /// The contract's column `label` as the numbers of MarkLabel; kNoLabel where a cell is empty or is no label.
 std::vector<double> toLabels(const std::vector<std::string>& cells, StreamSet& set) {
@@ -290,9 +355,11 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
   Table table;
   table.names = std::move(asText.names);
   table.owners = std::move(asText.owners);
+  CellReader reader;
   for (std::size_t c = 0; c < asText.cells.size(); ++c)
     table.columns.push_back(table.names[c] == kLabelField ? toLabels(asText.cells[c], set)
-                                                          : toNumbers(asText.cells[c]));
+                                                          : reader.numbers(table.names[c], asText.cells[c]));
+  reader.say(rows->lines, set);
   if (text.namesMissing) {
     if (guessed.empty()) guessed = guessNames(table.names, table.columns);
     set.findings.push_back(

@@ -53,19 +53,38 @@ Cells cellsOf(std::string_view line, char separator) {
   return out;
 }
 
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
 bool isPlainNumber(std::string_view cell) {
   double value = 0.0;
   return !cell.empty() && csv::parseNumber(cell.data(), cell.data() + cell.size(), value) == cell.data() + cell.size();
 }
 
-/// "0,346" or "1,2e-3".
-bool isCommaNumber(std::string_view cell) {
+/// "0,346", "1,2e-3" or "-1.234,5" (points between groups of three digits) with a decimal point; nothing of other text.
+std::optional<std::string> pointedNumber(std::string_view cell) {
   const auto comma = cell.find(',');
-  if (comma == std::string_view::npos || cell.find(',', comma + 1) != std::string_view::npos) return false;
-  std::string point(cell);
-  point[comma] = '.';
-  return cell.find('.') == std::string_view::npos && isPlainNumber(point);
+  if (comma == std::string_view::npos || cell.find_first_of(",.", comma + 1) != std::string_view::npos)
+    return std::nullopt;
+  std::string out;
+  std::size_t digits = 0;
+  bool grouped = false;
+  for (const char c : cell.substr(0, comma)) {
+    if (c != '.') {
+      digits += isDigit(c) ? 1 : 0;
+      out += c;
+      continue;
+    }
+    if (digits == 0 || digits > 3 || (grouped && digits != 3)) return std::nullopt;
+    grouped = true;
+    digits = 0;
+  }
+  if (grouped && digits != 3) return std::nullopt;
+  out += '.';
+  out += cell.substr(comma + 1);
+  return isPlainNumber(out) ? std::optional(out) : std::nullopt;
 }
+
+bool isCommaNumber(std::string_view cell) { return pointedNumber(cell).has_value(); }
 
 /// How many numbers "[0.1, 0.2]" or "[0.1 0.2]" holds; 0 for any other text.
 std::size_t numbersInList(std::string_view cell) {
@@ -168,13 +187,11 @@ bool areUnique(Cells names) {
 
 /// Whether a line has texts where the row below it has numbers, as a second line of names does ("0, 1, x, y, z").
 bool namesOver(std::string_view line, std::string_view row, char separator) {
-  static constexpr std::array kNoValue = {"nan", "-nan", "inf", "-inf", "none", "null", "na", "n/a", "-", "--"};
   const auto names = cellsOf(line, separator), values = cellsOf(row, separator);
   if (names.size() != values.size()) return false;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const bool text = !names[i].empty() && !isPlainNumber(names[i]) && !isCommaNumber(names[i]) &&
-                      !secondsOfDate(names[i]) && numbersInList(names[i]) == 0 &&
-                      std::find(kNoValue.begin(), kNoValue.end(), lowerCase(names[i])) == kNoValue.end();
+                      !secondsOfDate(names[i]) && numbersInList(names[i]) == 0 && !isMissingValue(names[i]);
     if (text && isPlainNumber(values[i])) return true;
   }
   return false;
@@ -315,11 +332,8 @@ void appendRow(std::string& out, std::string_view line, const Layout& layout) {
     if (i > 0) out += ',';
     if (cells[i].find(',') == std::string_view::npos) {
       out += cells[i];
-    } else if (layout.commaNumbers && isCommaNumber(cells[i])) {
-      const auto comma = cells[i].find(',');
-      out += cells[i].substr(0, comma);
-      out += '.';
-      out += cells[i].substr(comma + 1);
+    } else if (const auto number = layout.commaNumbers ? pointedNumber(cells[i]) : std::nullopt) {
+      out += *number;
     } else {
       out += quotedName(cells[i]);
     }
@@ -327,6 +341,11 @@ void appendRow(std::string& out, std::string_view line, const Layout& layout) {
 }
 
 }  // namespace
+
+bool isMissingValue(std::string_view cell) {
+  static constexpr std::array kWords = {"nan", "-nan", "inf", "-inf", "none", "null", "na", "n/a", "-", "--"};
+  return std::ranges::find(kWords, lowerCase(cell)) != kWords.end();
+}
 
 bool looksLikeNumbers(std::string_view line) {
   return std::any_of(std::begin(",;\t "), std::end(",;\t ") - 1,

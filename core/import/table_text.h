@@ -18,6 +18,9 @@ struct TableText {
 /// back as it is.
 TableText readTableText(std::string text, const std::string& file, Findings& findings);
 
+/// Whether a cell says that there is no value: "nan", "null", "n/a", "--" and the like, in any case.
+bool isMissingValue(std::string_view cell);
+
 /// True if less than a row of names stands there: at least three cells, and half of them, are numbers.
 bool looksLikeNumbers(std::string_view line);
 

@@ -9686,6 +9686,30 @@ Bitte prüfen Sie den Namen.</translation>
         <source>No change beyond the measurement uncertainty.</source>
         <translation>Keine Veränderung über die Messunsicherheit hinaus.</translation>
     </message>
+    <message>
+        <source>this looks like a pickle, which only the Python program that wrote it can read.</source>
+        <translation>das sieht wie eine Pickle-Datei aus, die nur das Python-Programm lesen kann, das sie geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>Save the arrays from there by numpy.savez, or as CSV.</source>
+        <translation>Speichern Sie die Felder von dort mit numpy.savez oder als CSV.</translation>
+    </message>
+    <message>
+        <source>this is what &apos;ros2 topic echo&apos; prints, as YAML.</source>
+        <translation>das ist die Ausgabe von &apos;ros2 topic echo&apos; als YAML.</translation>
+    </message>
+    <message>
+        <source>Record the topics of motion and wrench together by &apos;ros2 bag record&apos;, or echo each with --csv and join the two by --join.</source>
+        <translation>Zeichnen Sie die Topics von Bewegung und Kraft zusammen mit &apos;ros2 bag record&apos; auf, oder geben Sie beide mit --csv aus und fügen Sie sie mit --join zusammen.</translation>
+    </message>
+    <message>
+        <source>{} cells hold no number, for instance &quot;{}&quot; under &quot;{}&quot;; their rows were left out of that column.</source>
+        <translation>{} Zellen enthalten keine Zahl, zum Beispiel &quot;{}&quot; unter &quot;{}&quot;; ihre Zeilen fehlen in dieser Spalte.</translation>
+    </message>
+    <message>
+        <source>Correct them, or export the table again.</source>
+        <translation>Berichtigen Sie sie, oder exportieren Sie die Tabelle noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>heft::CarriedObjects</name>

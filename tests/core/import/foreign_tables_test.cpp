@@ -1,7 +1,9 @@
 // Tables of recorders that nobody told of Heft: other languages, layouts of names, and times under any name.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -49,6 +51,63 @@ TEST_F(ForeignTables, AUnitTellsWhatAWordOfAnyLanguageMeans) {
     ASSERT_TRUE(read.ok()) << head << failureOf(read);
     expectFormula(read->recording);
   }
+}
+
+TEST_F(ForeignTables, AWrenchMayCountFromOne) {
+  for (const char* names :
+       {",F1,F2,F3,M1,M2,M3", ",F_1,F_2,F_3,T_1,T_2,T_3", ",F[0],F[1],F[2],M[0],M[1],M[2]",
+        ",sensor_force1,sensor_force2,sensor_force3,sensor_moment1,sensor_moment2,sensor_moment3"}) {
+    const auto read = openRecording(write("counted.csv", "time" + seven("q{}") + names + "\n" + rows(seconds)));
+    ASSERT_TRUE(read.ok()) << names << failureOf(read);
+    expectFormula(read->recording);
+  }
+}
+
+TEST_F(ForeignTables, DigitsInGroupsOfThree) {
+  const auto read = [&](const char* header, const std::function<std::string(double)>& cell) {
+    std::string text = header;
+    for (int k = 0; k < 400; ++k) {
+      const double t = 0.01 * k;
+      text += cell(1e3 * t);
+      for (int j = 0; j < 7; ++j) text += ";" + cell(0.1 * j + 0.2 * std::sin(t));
+      for (int c = 0; c < 6; ++c) text += ";" + cell(1e3 * (c + 1.5));
+      text += "\n";
+    }
+    return openRecording(write("grouped.csv", text));
+  };
+  const auto grouped = [](double value, char group, char point) {
+    std::string out = fmt::format("{:.3f}", std::abs(value));
+    const std::size_t dot = out.find('.');
+    out[dot] = point;
+    for (std::size_t i = dot; i > 3; i -= 3) out.insert(i - 3, 1, group);
+    return (value < 0.0 ? "-" : "") + out;
+  };
+  const char* header = "t [ms];q1;q2;q3;q4;q5;q6;q7;Fx [mN];Fy [mN];Fz [mN];Mx [mNm];My [mNm];Mz [mNm]\n";
+  for (const auto& [group, point] : {std::pair{'.', ','}, std::pair{',', '.'}}) {
+    const auto all = read(header, [&, g = group, p = point](double value) { return grouped(value, g, p); });
+    ASSERT_TRUE(all.ok()) << group << failureOf(all);
+    EXPECT_EQ(all->recording.rows(), 400) << group;
+    EXPECT_NEAR(all->recording.time(399) - all->recording.time(0), 3.99, 1e-9) << group;
+    EXPECT_NEAR(all->recording.wrench(399, 5), 6.5, 1e-9) << group;
+  }
+}
+
+TEST_F(ForeignTables, TextAmongNumbersIsSaid) {
+  std::string text = "t [ms]" + seven("q{}") + ",Fx [N],Fy [N],Fz [N],Mx [Nm],My [Nm],Mz [Nm]\n" +
+                     rows([](int k) { return k == 30 ? std::string("broken") : std::to_string(10 * k); });
+  const auto read = openRecording(write("damaged.csv", text));
+  ASSERT_TRUE(read.ok()) << failureOf(read);
+  const auto said = std::ranges::find(read->findings, "cells_no_numbers", &Finding::code);
+  ASSERT_NE(said, read->findings.end());
+  EXPECT_THAT(said->text, HasSubstr("broken"));
+  EXPECT_EQ(said->where.line, 32);
+}
+
+TEST_F(ForeignTables, WhatCannotBeReadSaysWhatToDo) {
+  EXPECT_THAT(failureOf(openRecording(write("echo.yaml", "header:\n  stamp:\n    sec: 1\n---\nheader:\n  stamp:\n"))),
+              HasSubstr("ros2 bag record"));
+  EXPECT_THAT(failureOf(openRecording(write("log.pkl", std::string("\x80\x04\x95\0\0\0\0", 7)))),
+              HasSubstr("numpy.savez"));
 }
 
 TEST_F(ForeignTables, AngleOfATurnedToolIsNoJoint) {
