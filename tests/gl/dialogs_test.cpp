@@ -25,6 +25,7 @@
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTimer>
+#include <QUrl>
 
 #include "core/base/remedy.h"
 #include "core/recording/csv_reader.h"
@@ -216,7 +217,13 @@ TEST_F(DialogsTest, PicturesOfTheManualStandInLinesOfTheirOwn) {
       ++pictures;
       EXPECT_EQ(block.text().trimmed().size(), 1) << block.text().toStdString();
     }
-    EXPECT_GE(pictures, 8);
+    EXPECT_GE(pictures, 12);
+    for (const char* name : {"room", "entry", "what-if", "proof"}) {
+      const QString source = QStringLiteral("picture:%1").arg(QLatin1String(name));
+      EXPECT_TRUE(text->toHtml().contains(source)) << name;
+      const QVariant shown = text->document()->resource(QTextDocument::ImageResource, QUrl(source));
+      EXPECT_GT(shown.value<QImage>().width(), 200) << name << " " << language;
+    }
     keep(&studio->window(), QStringLiteral("manual_%1").arg(QLatin1String(language)));
     studio->window().showManual(false);
   }

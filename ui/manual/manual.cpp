@@ -18,18 +18,24 @@ static void initialiseManual() { Q_INIT_RESOURCE(manual); }
 namespace heft {
 namespace {
 
-/// "live:NAME" is a picture of the window.
+QString language() { return QLocale().language() == QLocale::German ? QStringLiteral("de") : QStringLiteral("en"); }
+
+/// "live:NAME" is a picture of the window as it is, "picture:NAME" one of what it need not show now.
 class Browser : public QTextBrowser {
  public:
   Browser(std::function<QImage(const QString&)> pictureOf, QWidget* parent)
       : QTextBrowser(parent), pictureOf_(std::move(pictureOf)) {}
 
   QVariant loadResource(int type, const QUrl& name) override {
+    const int room = viewport()->width() - 28;
+    if (name.scheme() == QLatin1String("picture")) {
+      const QImage image(QStringLiteral(":/manual/%1.%2.png").arg(name.path(), language()));
+      return image.width() > room ? image.scaledToWidth(std::max(200, room), Qt::SmoothTransformation) : image;
+    }
     if (name.scheme() != QLatin1String("live")) return QTextBrowser::loadResource(type, name);
     const QImage image = pictureOf_(name.path());
     if (image.isNull()) return QImage(1, 1, QImage::Format_ARGB32);
     // Text comes first: a picture of a panel is there to be recognised, only the bar of steps is read from it.
-    const int room = viewport()->width() - 28;
     const int width = std::max(200, name.path() == QLatin1String("steps") ? room : room / 2);
     const double ratio = std::max(1.0, devicePixelRatioF());
     QImage scaled = image.scaledToWidth(static_cast<int>(width * ratio), Qt::SmoothTransformation);
@@ -70,8 +76,7 @@ Manual::Manual(std::function<QImage(const QString&)> pictureOf, QWidget* parent)
 }
 
 void Manual::open(const QString& chapter) {
-  const QString language = QLocale().language() == QLocale::German ? QStringLiteral("de") : QStringLiteral("en");
-  QFile file(QStringLiteral(":/manual/%1.html").arg(language));
+  QFile file(QStringLiteral(":/manual/%1.html").arg(language()));
   if (!file.open(QIODevice::ReadOnly)) return;
   const Theme& t = theme();
   browser_->document()->setDefaultStyleSheet(
