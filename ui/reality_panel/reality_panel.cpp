@@ -290,47 +290,6 @@ void RealityPanel::diagnose() {
   refresh();
 }
 
-void RealityPanel::practise(std::uint64_t seed) {
-  const QString path = practiceFile(seed);
-  found_.remove(path);
-  jobs_.start(
-      tr("Making a recording to practise on"),
-      [seed, path](const Progress& progress) -> Result<bool> {
-        auto made = practiceRecording(seed, progress);
-        if (!made) return made.error();
-        QDir().mkpath(practiceFolder());
-        return writeRecording(made->recording, path.toStdString());
-      },
-      [this, path](Result<bool> result) {
-        if (!result) {
-          if (!result.error().cancelled) parts().say(Severity::error, QString::fromStdString(result.error().message));
-          return;
-        }
-        wanted_ = true;
-        workspace().open(path);
-        parts().goTo(Step::realityCheck);
-      });
-}
-
-void RealityPanel::guess(const std::string& cause) {
-  const auto opened = workspace().opened();
-  if (!opened || !practiceSeed(opened->path)) return;
-  Found& entry = found_[opened->path];
-  const bool right = cause == practiceEffect(*practiceSeed(opened->path)).id;
-  if (!right && entry.tried.empty()) {
-    entry.tried = cause;
-    return refresh();
-  }
-  RealityFindings::Score& score = findings_->score;
-  ++score.asked;
-  if (right) ++(entry.tried.empty() && !entry.hinted ? score.first : score.second);
-  entry.guess = cause;
-  entry.secret = false;
-  findings_->tellChanged();
-  if (!found() && !jobs_.running()) diagnose();
-  refresh();
-}
-
 void RealityPanel::apply(const std::string& cause) {
   if (!found() || applied(cause)) return;
   Corrections next = workspace().corrections();

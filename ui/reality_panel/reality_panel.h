@@ -25,6 +25,7 @@ class LessonGuide;
 class WhatIfKnobs;
 struct CardActions;
 struct OpenRecording;
+struct RiddleActions;
 
 class RealityPanel : public StepPanel {
   Q_OBJECT
@@ -49,6 +50,8 @@ class RealityPanel : public StepPanel {
   /// Makes a recording that hides one fault and opens it.
   void practise(std::uint64_t seed);
   void guess(const std::string& cause);
+  /// What the practice recording would be without its fault, in the curves; once more hides it.
+  void showTwin(const QString& path);
   void apply(const std::string& cause);
   void takeBack(const std::string& cause);
   std::shared_ptr<const DiagnosisReport> report() const;
@@ -83,6 +86,7 @@ class RealityPanel : public StepPanel {
   void arrange();
   void addCards(QVBoxLayout* column, const Found& found, bool& someNext);
   CardActions actions();
+  RiddleActions riddleActions(const QString& path);
 
   JobRunner jobs_;
   DifferencePane* pane_;

@@ -75,6 +75,7 @@ void RealityPanel::refresh() {
   bar_ = nullptr;
   const auto opened = workspace().opened();
   const int position = page()->scrollPosition();
+  pane_->setTwin(opened && practiceSeed(opened->path) ? found_.value(opened->path).twin : nullptr);
   pane_->showReport(report(), witnesses(), riddle());
   panes_->setCurrentWidget(whatIf_->on() ? static_cast<QWidget*>(whatIf_->pane()) : pane_);
   arrange();
@@ -95,15 +96,8 @@ void RealityPanel::refresh() {
   } else if (riddle()) {
     QVBoxLayout* column = page()->restart(tr("What is wrong with this recording?"),
                                           tr("It contains one hidden fault. Inspect it, then guess."));
-    RiddleActions does;
-    does.guessed = [this](const std::string& id) { guess(id); };
-    does.hintWanted = [this, path = opened->path] {
-      found_[path].hinted = true;
-      refresh();
-    };
-    does.gaveUp = [this, path = opened->path] { guess(found_[path].tried); };
     addGuesses(column, page()->content(), practiceEffect(*practiceSeed(opened->path)).id, found_.value(opened->path),
-               does);
+               riddleActions(opened->path));
     column->addStretch(1);
     page()->setMainButton({});
     page()->setSecondButton(tr("What if …?"), [this] { whatIf_->setOn(true); });
@@ -226,7 +220,7 @@ void RealityPanel::showReport(const Found& found) {
   QWidget* content = page()->content();
   if (const auto seed = practiceSeed(workspace().opened()->path); seed && !found.guess.empty())
     addFeedback(column, content, practiceEffect(*seed).id, found, findings_->score,
-                [this] { practise(QRandomGenerator::global()->bounded(1u, 1000000u)); });
+                riddleActions(workspace().opened()->path));
   if (outdated()) {
     const Card card = makeCard("cardLook", content);
     card.layout->addWidget(wrappedLabel(tr("The marks have changed since the last check."), "body", card.frame));
