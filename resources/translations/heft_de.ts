@@ -1038,12 +1038,12 @@
         <translation>Nur freie Abschnitte werden benutzt.</translation>
     </message>
     <message>
-        <source>residual %1 N, %2 RMS</source>
-        <translation>Residuum %1 N, %2 (RMS)</translation>
-    </message>
-    <message>
         <source>Sensor noise: %1 N, %2</source>
         <translation>Sensorrauschen: %1 N, %2</translation>
+    </message>
+    <message>
+        <source>Residual %1 N, %2 RMS</source>
+        <translation>Rest %1 N, %2 (RMS)</translation>
     </message>
 </context>
 <context>
@@ -2434,20 +2434,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Kraft je Kanal</translation>
     </message>
     <message>
-        <source>%1 N, noise %2</source>
-        <translation>%1 N, Rauschen %2</translation>
-    </message>
-    <message>
         <source>Root mean square of the residual in x, y, z, and the sensor’s noise</source>
         <translation>Effektivwert des Rests in x, y, z und das Rauschen des Sensors</translation>
     </message>
     <message>
         <source>Torque by channel</source>
         <translation>Moment je Kanal</translation>
-    </message>
-    <message>
-        <source>%1 %2, noise %3</source>
-        <translation>%1 %2, Rauschen %3</translation>
     </message>
     <message>
         <source>%1 known, %2 % off</source>
@@ -2500,6 +2492,18 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>About the frame’s origin: xx, yy, zz; xy, xz, yz</source>
         <translation>Um den Ursprung des Koordinatensystems: xx, yy, zz; xy, xz, yz</translation>
+    </message>
+    <message>
+        <source>%1 N
+noise %2</source>
+        <translation>%1 N
+Rauschen %2</translation>
+    </message>
+    <message>
+        <source>%1 %2
+noise %3</source>
+        <translation>%1 %2
+Rauschen %3</translation>
     </message>
 </context>
 <context>

@@ -94,8 +94,8 @@ TEST(MarkText, EvidenceIsTheResidualInTheSegment) {
   calm.to = 0.4;
   pushed.from = 0.6, pushed.to = 1.0;
   outside.from = 2.0, outside.to = 3.0;
-  EXPECT_EQ(residualText(calm, series), "residual 0.000 N, 0.0000 N m RMS");
-  EXPECT_EQ(residualText(pushed, series), "residual 5.000 N, 0.2000 N m RMS");
+  EXPECT_EQ(residualText(calm, series), "Residual 0.000 N, 0.0000 N m RMS");
+  EXPECT_EQ(residualText(pushed, series), "Residual 5.000 N, 0.2000 N m RMS");
   series.measured(70, 0) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(residualText(pushed, series).contains("5.000 N")) << "missing values are left out";
   EXPECT_TRUE(residualText(outside, series).isEmpty());
@@ -131,7 +131,7 @@ TEST(MarkPanel, BrushesStandAboveTheSuggestionsAndDetailsGiveTheEvidence) {
   QTest::qWait(50);
   const QStringList all = evidence();
   ASSERT_EQ(all.size(), static_cast<int>(workspace.segments().size()));
-  for (const QString& text : all) EXPECT_TRUE(text.contains("residual ")) << text.toStdString();
+  for (const QString& text : all) EXPECT_TRUE(text.contains("Residual ")) << text.toStdString();
   EXPECT_TRUE(all.join('\n').contains("confidence ")) << all.join('\n').toStdString();
 }
 

@@ -51,7 +51,9 @@ TEST(ResultPanel, DetailsAreOneClickBehind) {
 }
 
 TEST(ResultPanel, DetailsChooseAFrameShowCorrelationsAndCanBeCopied) {
-  ResultText result = example();
+  EstimateReport report = test::reportOn(test::sineRecording(1000, 100));
+  report.mount.xyz = {0, 0, 0.04};
+  ResultText result = describeResult(report, {});
   result.correlation.values(0, 3) = result.correlation.values(3, 0) = -0.97;
   ResultPanel panel;
   panel.resize(440, 900);

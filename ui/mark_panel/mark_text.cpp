@@ -52,7 +52,7 @@ QString residualText(const Segment& segment, const WrenchSeries& series) {
   }
   if (count == 0) return {};
   sum /= static_cast<double>(count);
-  return Words::tr("residual %1 N, %2 RMS")
+  return Words::tr("Residual %1 N, %2 RMS")
       .arg(numberText(std::sqrt(sum.head<3>().sum()), 3), torqueText(std::sqrt(sum.tail<3>().sum()), 4));
 }
 

@@ -99,11 +99,11 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
       DetailWords::tr("Root mean square of the residual on free segments"));
   if (const Vector6d rms = channelRms(r); rms.allFinite()) {
     add(DetailWords::tr("Force by channel"),
-        DetailWords::tr("%1 N, noise %2").arg(triple(rms.head<3>(), 3), triple(r.noiseStd.head<3>(), 3)),
+        DetailWords::tr("%1 N\nnoise %2").arg(triple(rms.head<3>(), 3), triple(r.noiseStd.head<3>(), 3)),
         DetailWords::tr("Root mean square of the residual in x, y, z, and the sensor’s noise"));
     const auto three = [&](const Vector3d& v) { return triple(torque.scale * v, 4 + torque.decimals); };
     add(DetailWords::tr("Torque by channel"),
-        DetailWords::tr("%1 %2, noise %3").arg(three(rms.tail<3>()), torque.name, three(r.noiseStd.tail<3>())),
+        DetailWords::tr("%1 %2\nnoise %3").arg(three(rms.tail<3>()), torque.name, three(r.noiseStd.tail<3>())),
         DetailWords::tr("Root mean square of the residual in x, y, z, and the sensor’s noise"));
   }
   if (r.heldoutForceRms > 0) {
@@ -175,9 +175,9 @@ std::vector<DetailText> frameTexts(const EstimateReport& r, DetailFrame frame) {
 
 MatrixText matrixText(const EstimateReport& r) {
   MatrixText out;
-  out.names = {QStringLiteral("m"),   QStringLiteral("x"),   QStringLiteral("y"),   QStringLiteral("z"),
-               QStringLiteral("Ixx"), QStringLiteral("Ixy"), QStringLiteral("Ixz"), QStringLiteral("Iyy"),
-               QStringLiteral("Iyz"), QStringLiteral("Izz")};
+  out.names = QStringList{QStringLiteral("m"),   QStringLiteral("x"),   QStringLiteral("y"),   QStringLiteral("z"),
+                          QStringLiteral("Ixx"), QStringLiteral("Ixy"), QStringLiteral("Ixz"), QStringLiteral("Iyy"),
+                          QStringLiteral("Iyz"), QStringLiteral("Izz")};
   out.values = r.correlation;
   return out;
 }

@@ -30,6 +30,7 @@ void RealityPanel::practise(std::uint64_t seed) {
           return;
         }
         wanted_ = true;
+        looking_ = true;  // The difference is what the exercise is about.
         workspace().open(path);
         parts().goTo(Step::realityCheck);
       });

@@ -6,6 +6,7 @@
 #include <QFileDialog>
 #include <QFileIconProvider>
 #include <QFileInfo>
+#include <QSplitter>
 #include <QStandardPaths>
 #include <QTreeView>
 #include <QUrl>
@@ -57,10 +58,15 @@ class FileDialogLook : public QObject {
     urls << QUrl(QStringLiteral("file:"));  // The computer
     dialog.setSidebarUrls(urls);
     dialog.resize(dialog.size().expandedTo(kRoomy));
+    if (auto* splitter = dialog.findChild<QSplitter*>("splitter")) {
+      constexpr int kPlaces = 180;  // [px]
+      splitter->setSizes({kPlaces, dialog.width() - kPlaces});
+    }
     // Names need most of the room.
     if (auto* tree = dialog.findChild<QTreeView*>("treeView")) {
-      constexpr int kName = 320;  // [px]
+      constexpr int kName = 300, kSize = 90;  // [px]
       tree->setColumnWidth(0, kName);
+      tree->setColumnWidth(1, kSize);
       tree->setAlternatingRowColors(false);
     }
   }
