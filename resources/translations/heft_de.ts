@@ -12177,6 +12177,14 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>Making the recording without the fault</source>
         <translation>Aufnahme ohne den Fehler wird erzeugt</translation>
     </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 · %2 s</source>
+        <translation>%1 · %2 s</translation>
+    </message>
 </context>
 <context>
     <name>heft::RecordPanel</name>

@@ -212,6 +212,20 @@ TEST_F(RealityPanelTest, ACleanRecordingIsSaidToFitAndTheNextStepIsExport) {
   EXPECT_FALSE(refused->ok());
 }
 
+TEST_F(RealityPanelTest, ASearchSaysWhatItDoesAndHowLongItHasTaken) {
+  open(simulated("long.csv", {}));
+  panel->diagnose();
+  const auto stage = [&] {
+    const auto* label = panel->findChild<QLabel*>("searchStage");
+    return label ? label->text() : QString();
+  };
+  EXPECT_TRUE(stage().contains("0 s")) << stage().toStdString();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return stage().contains("Testing causes") || !jobs->running(); }, kLong));
+  EXPECT_TRUE(jobs->running()) << "the stage was never told";
+  jobs->cancel();
+  settle();
+}
+
 TEST_F(RealityPanelTest, StopsWhenAsked) {
   panel->hide();  // Shown, it would look by itself as soon as a recording is there.
   open(simulated("late.csv", {{"time_offset", "", 15.0}}));

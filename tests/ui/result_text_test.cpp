@@ -121,6 +121,21 @@ TEST(DescribeResult, SpeaksTheUnitsThatAreChosen) {
   EXPECT_TRUE(frame.contains("Principal moments")) << frame.toStdString();
 }
 
+TEST(DescribeResult, TheSharesAgreeWithWhereTheNumbersComeFrom) {
+  EstimateReport report = test::reportOn(test::sineRecording(1000, 100));
+  report.evidence.hasPrior = true;
+  report.identifiability.inertiaShare = 0.99;  // Of the vague prior; what the shape gave is another question.
+  report.std.inertiaCom = Matrix3d::Constant(1e-4);
+  report.evidence.dataStd << 0.002, 0.0003, 0.0003, 0.0004, 2e-4, 2e-4, 2e-4, 4e-4, 2e-4, std::nan("");
+  const ResultText text = describeResult(report, {});
+  ASSERT_EQ(text.shares.size(), 3u);
+  EXPECT_EQ(text.shares[0].words, "100 % data");
+  EXPECT_EQ(text.shares[1].words, "100 % data");
+  // A half, a quarter and nothing of the three deviations: (1/4 + 1/16 + 0) / 3.
+  EXPECT_NEAR(text.shares[2].data, 0.3125 / 3.0, 1e-9);
+  EXPECT_EQ(text.shares[2].words, "90 % your shape");
+}
+
 TEST(DescribeResult, StatesDetailsInTheFrameOfSensorOrFlange) {
   EstimateReport report = test::reportOn(test::sineRecording(1000, 100));
   report.mount.xyz = {0, 0, 0.04};

@@ -223,7 +223,13 @@ void DifferencePane::showCause(const std::string& id) {
   refresh();
 }
 
+void DifferencePane::setZooms(bool on) {
+  zooms_ = on;
+  if (cause()) zoomToTelling();
+}
+
 void DifferencePane::zoomToTelling() {
+  if (!zooms_) return;
   const DiagnosedCause* one = cause();
   if (!one) return axis_->showAll();
   const auto stretch = telling(*report_, *one);

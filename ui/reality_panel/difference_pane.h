@@ -44,6 +44,9 @@ class DifferencePane : public QWidget {
   bool setWitness(const QString& id);
   /// One cause alone, on the channel and in the segment where it shows best; an empty ID: all of them together.
   void showCause(const std::string& id);
+  /// Whether the shared time axis may be zoomed to where a cause shows: not while another step is shown. Turned on, it
+  /// is.
+  void setZooms(bool on);
 
   DifferenceTraces* traces() { return traces_; }
   /// For pictures and reports: of the views by frequency and against the motion.
@@ -77,6 +80,7 @@ class DifferencePane : public QWidget {
   std::vector<diagnosis::Witness> witnesses_;
   std::shared_ptr<const Recording> twin_;
   bool secret_ = false;
+  bool zooms_ = true;
   View view_ = View::time;
   TimeAxis* axis_;
   Playback* playback_;

@@ -1,6 +1,7 @@
 #pragma once
 // The step "Reality check": what the simulation gets wrong, one card a cause, applied and taken back one by one.
 #include <QColor>
+#include <QElapsedTimer>
 #include <QMap>
 #include <QSet>
 #include <memory>
@@ -95,6 +96,8 @@ class RealityPanel : public StepPanel {
   QStackedWidget* panes_;             ///< The difference, or what the knobs do
   DecidingMotion* motion_ = nullptr;  ///< Null without a 3D view.
   QProgressBar* bar_ = nullptr;       ///< While looking; of the page.
+  QElapsedTimer since_;               ///< Since the search was started
+  QString stage_;                     ///< What it does now
   RealityFindings* findings_;
   QMap<QString, Found>& found_;
   RealityFiles files_;

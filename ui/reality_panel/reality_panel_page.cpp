@@ -3,15 +3,17 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QRandomGenerator>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <cmath>
 
 #include "core/simulation/practice.h"
 #include "ui/controller/diagnosis.h"
 #include "ui/controller/workspace.h"
+#include "ui/models/numbers.h"
 #include "ui/reality_cards/cause_card.h"
 #include "ui/reality_cards/cause_numbers.h"
 #include "ui/reality_cards/cause_words.h"
@@ -39,6 +41,18 @@ void RealityPanel::showWaiting() {
   bar_->setTextVisible(false);
   bar_->setAccessibleName(tr("Progress"));
   column->addWidget(bar_);
+  // In a long recording the bar stands for a while; this shows that the search goes on.
+  QLabel* stage = wrappedLabel({}, "caption", page()->content());
+  stage->setObjectName("searchStage");
+  column->addWidget(stage);
+  const auto tell = [this, stage] {
+    const QString seconds = numberText(std::floor(1e-3 * static_cast<double>(since_.elapsed())), 0);
+    stage->setText(stage_.isEmpty() ? tr("%1 s").arg(seconds) : tr("%1 · %2 s").arg(stage_, seconds));
+  };
+  tell();
+  auto* tick = new QTimer(stage);
+  connect(tick, &QTimer::timeout, stage, tell);
+  tick->start(500);
   column->addStretch(1);
   page()->setMainButton({});
   page()->setSecondButton(tr("Stop"), [this] {

@@ -325,16 +325,17 @@ void ResultPanel::addAdvice(QVBoxLayout* column, const QString& advice) {
   const Card card = makeCard("cardSuggested", content);
   auto* row = new QHBoxLayout;
   row->setSpacing(12);
-  row->addWidget(new IconLabel("bulb", 20, content), 0, Qt::AlignVCenter);
+  row->addWidget(new IconLabel("bulb", 20, content), 0, Qt::AlignTop);
   auto* words = new QVBoxLayout;
   words->setSpacing(2);
   words->addWidget(styledLabel(tr("How to improve it"), "sectionTitle", content));
   words->addWidget(wrappedLabel(advice, "advice", content));
-  row->addLayout(words, 1);
   auto* record = new QPushButton(tr("Record this motion"), content);
   record->setObjectName("smallButton");
   connect(record, &QPushButton::clicked, this, &ResultPanel::recordWanted);
-  row->addWidget(record);
+  words->addSpacing(4);
+  words->addWidget(record, 0, Qt::AlignLeft);
+  row->addLayout(words, 1);
   card.layout->addLayout(row);
   column->addWidget(card.frame);
 }
