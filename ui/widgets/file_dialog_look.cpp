@@ -38,7 +38,8 @@ class FileDialogLook : public QObject {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override {
-    if (event->type() != QEvent::Polish) return false;
+    // Not earlier: what an earlier dialog was like is restored after it is polished.
+    if (event->type() != QEvent::Show || event->spontaneous()) return false;
     if (auto* dialog = qobject_cast<QFileDialog*>(watched)) dress(*dialog);
     return false;
   }
