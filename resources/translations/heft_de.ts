@@ -636,6 +636,21 @@
     </message>
 </context>
 <context>
+    <name>FileDialogLook</name>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>%1 file</source>
+        <translation>%1-Datei</translation>
+    </message>
+</context>
+<context>
     <name>GapMark</name>
     <message>
         <source>%1 mm</source>

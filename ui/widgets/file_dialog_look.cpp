@@ -1,6 +1,7 @@
 #include "ui/widgets/file_dialog_look.h"
 
 #include <QApplication>
+#include <QCoreApplication>
 #include <QDir>
 #include <QEvent>
 #include <QFileDialog>
@@ -17,7 +18,11 @@
 namespace heft {
 namespace {
 
-/// Folders, drives and files in the studio's lines.
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(FileDialogLook)
+};
+
+/// Folders, drives and files in the studio's lines and language.
 class LineIcons : public QFileIconProvider {
  public:
   QIcon icon(IconType type) const override {
@@ -28,6 +33,11 @@ class LineIcons : public QFileIconProvider {
   }
   QIcon icon(const QFileInfo& info) const override {
     return icon(info.isRoot() ? Drive : info.isDir() ? Folder : File);
+  }
+  QString type(const QFileInfo& info) const override {
+    return info.isDir()              ? Words::tr("Folder")
+           : info.suffix().isEmpty() ? Words::tr("File")
+                                     : Words::tr("%1 file").arg(info.suffix());
   }
 };
 
