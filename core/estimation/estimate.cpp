@@ -14,6 +14,7 @@
 #include "core/estimation/linear_estimate.h"
 #include "core/estimation/map.h"
 #include "core/estimation/prior.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft {
 
@@ -192,9 +193,9 @@ void markFixed(const EstimateOptions& options, bool inertiaKnown, Identifiabilit
   if (options.parameters == ParameterSet::mass) identifiability.com.fill(Source::prior);
 }
 
-/// Of a method other than the full map.
-PayloadInterval intervalsOf(const EstimateOptions& options, const Prepared& prepared, const Triangle& whitened,
-                            const Payload& fixed, const Payload& payload, const Solved& solved) {
+/// Of mass, centre and inertia about it, by a method other than the full map.
+Matrix10d componentCovariance(const EstimateOptions& options, const Prepared& prepared, const Triangle& whitened,
+                              const Payload& fixed, const Solved& solved) {
   const Matrix10d J = componentsJacobian(solved.solution.phi);
   Matrix10d covariance =
       J *
@@ -206,7 +207,19 @@ PayloadInterval intervalsOf(const EstimateOptions& options, const Prepared& prep
     covariance.bottomRows<6>().setZero();
     covariance.rightCols<6>().setZero();
   }
-  return intervalsFromCovariance(componentsOf(payload), covariance);
+  return covariance;
+}
+
+/// By the full map.
+Matrix10d componentCovariance(const MapPrior& prior, const MapSolution& map) {
+  return congruence(product(componentsJacobian(map.phi), parametersJacobian(prior, map.v)), map.covariance);
+}
+
+/// With their intervals, or those of a normal distribution.
+void takeCovariance(const Matrix10d& covariance, const PayloadInterval* intervals, EstimateReport& report) {
+  report.interval95 = intervals ? *intervals : intervalsFromCovariance(componentsOf(report.payload), covariance);
+  report.std = standardDeviations(report.interval95);
+  report.correlation = correlationFrom(covariance);
 }
 
 /// A fit to all folds but one: what it takes is the rest's triangle.
@@ -297,9 +310,9 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
 
   takeSolution(solution, report);
   const PayloadInterval mapIntervals = intervalsFromV(whitened, prior, options.bias, unbounded, bound);
-  report.interval95 =
-      isMapFull(options) ? mapIntervals : intervalsOf(options, prepared, whitened, fixed, report.payload, solved);
-  report.std = standardDeviations(report.interval95);
+  takeCovariance(isMapFull(options) ? componentCovariance(prior, map)
+                                    : componentCovariance(options, prepared, whitened, fixed, solved),
+                 isMapFull(options) ? &mapIntervals : nullptr, report);
 
   report.identifiability = assess(whitened, prior, map, standardDeviations(mapIntervals), told);
   if (report.parameters != ParameterSet::full)

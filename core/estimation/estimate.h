@@ -53,6 +53,7 @@ struct EstimateReport {
   Payload payload;
   Payload std;  ///< Standard deviations in the same places.
   PayloadInterval interval95;
+  Matrix10d correlation = Matrix10d::Identity();  ///< Of componentsOf(payload) about the estimate; 0 for what was held
   Vector3d forceBias = Vector3d::Zero(), torqueBias = Vector3d::Zero();
   bool physicallyConsistent = false;
   Identifiability identifiability;

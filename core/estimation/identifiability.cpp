@@ -98,18 +98,23 @@ std::string_view toString(Source source) {
   return "none";
 }
 
-double scaledCondition(const Triangle& R) {
+VectorXd scaledSingularValues(const Triangle& R) {
   const MatrixXd block = R.block<11, 10>(kBiasColumns, kBiasColumns);
   const VectorXd lengths = block.colwise().norm();
-  if (lengths.minCoeff() <= 0.0) return std::numeric_limits<double>::infinity();
-  const VectorXd values = singularValues(block * lengths.cwiseInverse().asDiagonal());
-  return values(9) > 0.0 ? values(0) / values(9) : std::numeric_limits<double>::infinity();
+  if (lengths.minCoeff() <= 0.0) return {};
+  return singularValues(block * lengths.cwiseInverse().asDiagonal());
+}
+
+double scaledCondition(const Triangle& R) {
+  const VectorXd values = scaledSingularValues(R);
+  return values.size() > 0 && values(9) > 0.0 ? values(0) / values(9) : std::numeric_limits<double>::infinity();
 }
 
 Identifiability assess(const Triangle& R, const MapPrior& prior, const MapSolution& solution, const Payload& std,
                        const ToldParts& told) {
   Identifiability out;
   out.conditionNumber = scaledCondition(R);
+  out.singularValues = scaledSingularValues(R);
   const Matrix10d J = product(componentsJacobian(solution.phi), parametersJacobian(prior, solution.v));
   const Vector10d posterior = congruence(J, solution.covariance).diagonal();
   const Vector10d before = congruence(J, inverse(prior.normalInformation(solution.v))).diagonal();

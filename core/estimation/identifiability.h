@@ -26,6 +26,7 @@ struct Identifiability {
   std::array<std::array<Source, 3>, 3> inertia{{{Source::none, Source::none, Source::none},
                                                 {Source::none, Source::none, Source::none},
                                                 {Source::none, Source::none, Source::none}}};
+  VectorXd singularValues;       ///< Of the same matrix, the largest first; empty where a column is zero.
   double conditionNumber = 0.0;  ///< Of the whitened regressor, biases eliminated, columns scaled to unit length.
   double massShare = 0, comShare = 0, inertiaShare = 0;  ///< Share of the data (1) against the prior (0).
   /// The ten independent directions in which data and prior were weighed against each other, the best known first.
@@ -37,8 +38,9 @@ struct Identifiability {
   std::vector<std::string> weakDirections;  ///< In words: what this motion told too little about.
 };
 
-/// Condition number of the trailing 10 columns of a whitened triangle, each scaled to unit length; infinite if
-/// singular.
+/// Singular values of the trailing 10 columns of a whitened triangle, each scaled to unit length; empty if one is zero.
+VectorXd scaledSingularValues(const Triangle& R);
+/// Their condition number; infinite if singular.
 double scaledCondition(const Triangle& R);
 
 /// Judges a map solution. What the user told something about comes from the prior where the data tell less than half of

@@ -245,6 +245,15 @@ PayloadInterval intervalsFromCovariance(const Vector10d& components, const Matri
   return fromArrays(intervals);
 }
 
+Matrix10d correlationFrom(const Matrix10d& covariance) {
+  const Vector10d std = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  const Vector10d scale = (std.array() > 0.0).select(std.cwiseInverse(), 0.0);
+  Matrix10d out = scale.asDiagonal() * covariance * scale.asDiagonal();
+  out = out.cwiseMin(1.0).cwiseMax(-1.0).eval();
+  out.diagonal().setOnes();
+  return out;
+}
+
 Payload standardDeviations(const PayloadInterval& intervals) {
   const auto std = [](const Interval& i) { return (i.upper - i.lower) / (2.0 * kNormal95); };
   Payload out;

@@ -47,6 +47,9 @@ PayloadInterval intervalsFromV(const Triangle& R, const MapPrior& prior, bool bi
 /// value +- 1.96 standard deviations, for linear estimates with the covariance of the ten components.
 PayloadInterval intervalsFromCovariance(const Vector10d& components, const Matrix10d& covariance);
 
+/// The covariance divided by both standard deviations; 0 beside what has none, 1 on the diagonal.
+Matrix10d correlationFrom(const Matrix10d& covariance);
+
 /// Half the intervals' width over 1.96: the standard deviation of a normal distribution with these intervals.
 Payload standardDeviations(const PayloadInterval& intervals);
 

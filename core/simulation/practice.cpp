@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+#include <vector>
+
 #include "core/simulation/effects/effect.h"
 
 namespace heft {
@@ -36,19 +39,29 @@ EffectRequest practiceEffect(std::uint64_t seed) {
   return out;
 }
 
-Result<Simulated> practiceRecording(std::uint64_t seed, const Progress& progress) {
+namespace {
+
+Result<Simulated> practised(std::uint64_t seed, std::vector<EffectRequest> effects, const Progress& progress) {
   SimulateOptions options;
   options.motion = mixed(seed + 1) % 3 == 0 ? MotionKind::excitation : MotionKind::free;
   options.duration = 15.0;
   options.seed = seed;
-  options.effects = {practiceEffect(seed)};
+  options.effects = std::move(effects);
   Payload tool;
   tool.mass = 0.6 + 0.4 * static_cast<double>(mixed(seed + 2) % 100) / 100.0;
   tool.com = {0.004, -0.003, 0.055};
   tool.inertiaCom = Vector3d(0.0016, 0.0014, 0.0009).asDiagonal();
-  auto out = simulate(RobotModel::panda(), tool, options, progress);
+  return simulate(RobotModel::panda(), tool, options, progress);
+}
+
+}  // namespace
+
+Result<Simulated> practiceRecording(std::uint64_t seed, const Progress& progress) {
+  auto out = practised(seed, {practiceEffect(seed)}, progress);
   if (out) out->recording.meta.note = fmt::format("Practice recording {}", seed);
   return out;
 }
+
+Result<Simulated> practiceTwin(std::uint64_t seed, const Progress& progress) { return practised(seed, {}, progress); }
 
 }  // namespace heft

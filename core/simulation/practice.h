@@ -13,4 +13,7 @@ EffectRequest practiceEffect(std::uint64_t seed);
 /// 15 s of the Panda with a simulated sensor and that fault.
 Result<Simulated> practiceRecording(std::uint64_t seed, const Progress& progress = {});
 
+/// Its clean twin: the same tool, motion and sensor without the fault.
+Result<Simulated> practiceTwin(std::uint64_t seed, const Progress& progress = {});
+
 }  // namespace heft

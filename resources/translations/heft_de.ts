@@ -636,6 +636,21 @@
     </message>
 </context>
 <context>
+    <name>FileDialogLook</name>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>%1 file</source>
+        <translation>%1-Datei</translation>
+    </message>
+</context>
+<context>
     <name>GapMark</name>
     <message>
         <source>%1 mm</source>
@@ -1036,6 +1051,14 @@
     <message>
         <source>Only free segments are used.</source>
         <translation>Nur freie Abschnitte werden benutzt.</translation>
+    </message>
+    <message>
+        <source>Sensor noise: %1 N, %2</source>
+        <translation>Sensorrauschen: %1 N, %2</translation>
+    </message>
+    <message>
+        <source>Residual %1 N, %2 RMS</source>
+        <translation>Rest %1 N, %2 (RMS)</translation>
     </message>
 </context>
 <context>
@@ -1443,6 +1466,18 @@
     <message>
         <source>Solved at the first try: %1 of %2. With a hint or at the second try: %3.</source>
         <translation>Sofort gefunden: %1 von %2. Mit Hinweis oder im zweiten Versuch: %3.</translation>
+    </message>
+    <message>
+        <source>Hide the clean twin</source>
+        <translation>Fehlerfreien Zwilling ausblenden</translation>
+    </message>
+    <message>
+        <source>Show the clean twin</source>
+        <translation>Fehlerfreien Zwilling zeigen</translation>
+    </message>
+    <message>
+        <source>The same tool and motion without the fault, beside the recording in the curves</source>
+        <translation>Dasselbe Werkzeug und dieselbe Bewegung ohne den Fehler, in den Kurven neben der Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -2013,6 +2048,45 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
 </context>
 <context>
+    <name>ResultPanel</name>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Flange</source>
+        <translation>Flansch</translation>
+    </message>
+    <message>
+        <source>Correlation of the numbers</source>
+        <translation>Korrelation der Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 with %2: %3</source>
+        <translation>%1 mit %2: %3</translation>
+    </message>
+    <message>
+        <source>In the frame of</source>
+        <translation>Im Koordinatensystem von</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Details</translation>
+    </message>
+    <message>
+        <source>Near 1 or −1, an error of one number comes with an error of the other: this motion does not separate them well. Inertia is about the centre of mass, in the sensor’s axes.</source>
+        <translation>Nahe 1 oder −1 geht ein Fehler der einen Zahl mit einem Fehler der anderen einher: Diese Bewegung trennt sie schlecht. Trägheit um den Schwerpunkt, in den Achsen des Sensors.</translation>
+    </message>
+    <message>
+        <source>Copy the details</source>
+        <translation>Details kopieren</translation>
+    </message>
+    <message>
+        <source>As a table, for a spreadsheet or a message</source>
+        <translation>Als Tabelle für eine Tabellenkalkulation oder eine Nachricht</translation>
+    </message>
+</context>
+<context>
     <name>ResultText</name>
     <message>
         <source>%1
@@ -2265,16 +2339,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Ihr Werkzeug wiegt anscheinend %1.</translation>
     </message>
     <message>
-        <source>Centre from the flange</source>
-        <translation>Schwerpunkt vom Flansch aus</translation>
-    </message>
-    <message>
         <source>x, y, z from the flange’s origin along its axes, with the sensor’s mount as stated</source>
         <translation>x, y, z vom Ursprung des Flansches entlang seiner Achsen, mit dem Anbau des Sensors wie angegeben</translation>
-    </message>
-    <message>
-        <source>Inertia, flange axes</source>
-        <translation>Trägheit, Achsen des Flansches</translation>
     </message>
     <message>
         <source>%1
@@ -2375,10 +2441,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>%1 % von der Trägheit, die die Aufnahme nennt</translation>
     </message>
     <message>
-        <source>Moments about the principal axes through the centre of mass, and these axes in the sensor’s frame</source>
-        <translation>Momente um den Schwerpunkt ohne Deviationsmomente und ihre Achsen im Rahmen des Sensors</translation>
-    </message>
-    <message>
         <source>Determined by the motion</source>
         <translation>Aus der Bewegung bestimmt</translation>
     </message>
@@ -2387,20 +2449,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Kraft je Kanal</translation>
     </message>
     <message>
-        <source>%1 N, noise %2</source>
-        <translation>%1 N, Rauschen %2</translation>
-    </message>
-    <message>
         <source>Root mean square of the residual in x, y, z, and the sensor’s noise</source>
         <translation>Effektivwert des Rests in x, y, z und das Rauschen des Sensors</translation>
     </message>
     <message>
         <source>Torque by channel</source>
         <translation>Moment je Kanal</translation>
-    </message>
-    <message>
-        <source>%1 %2, noise %3</source>
-        <translation>%1 %2, Rauschen %3</translation>
     </message>
     <message>
         <source>%1 known, %2 % off</source>
@@ -2425,6 +2479,46 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>%1 %2 off the centre that the recording states</source>
         <translation>%1 %2 vom Schwerpunkt, den die Aufnahme nennt</translation>
+    </message>
+    <message>
+        <source>Moments about the principal axes through the centre of mass, and these axes in the frame chosen</source>
+        <translation>Momente um die Hauptachsen durch den Schwerpunkt, und diese Achsen im gewählten Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Singular values</source>
+        <translation>Singulärwerte</translation>
+    </message>
+    <message>
+        <source>Of the same matrix: a small one is a combination that the motion hardly determines</source>
+        <translation>Derselben Matrix: Ein kleiner ist eine Kombination, die die Bewegung kaum bestimmt</translation>
+    </message>
+    <message>
+        <source>x, y, z from the sensor’s origin along its axes</source>
+        <translation>x, y, z vom Ursprung des Sensors entlang seiner Achsen</translation>
+    </message>
+    <message>
+        <source>Inertia about the centre</source>
+        <translation>Trägheit um den Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>Inertia about the origin</source>
+        <translation>Trägheit um den Ursprung</translation>
+    </message>
+    <message>
+        <source>About the frame’s origin: xx, yy, zz; xy, xz, yz</source>
+        <translation>Um den Ursprung des Koordinatensystems: xx, yy, zz; xy, xz, yz</translation>
+    </message>
+    <message>
+        <source>%1 N
+noise %2</source>
+        <translation>%1 N
+Rauschen %2</translation>
+    </message>
+    <message>
+        <source>%1 %2
+noise %3</source>
+        <translation>%1 %2
+Rauschen %3</translation>
     </message>
 </context>
 <context>
@@ -2682,6 +2776,14 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>%1: the name of a report must end in .html or .pdf.</source>
         <translation>%1: Der Name eines Berichts muss auf .html oder .pdf enden.</translation>
+    </message>
+    <message>
+        <source>%1 (sensor)</source>
+        <translation>%1 (Sensor)</translation>
+    </message>
+    <message>
+        <source>%1 (flange)</source>
+        <translation>%1 (Flansch)</translation>
     </message>
 </context>
 <context>
@@ -9952,6 +10054,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Residual force [%1/√Hz]</source>
         <translation>Rest, Kraft [%1/√Hz]</translation>
     </message>
+    <message>
+        <source>clean twin, and the fault alone</source>
+        <translation>fehlerfreier Zwilling, und der Fehler allein</translation>
+    </message>
 </context>
 <context>
     <name>heft::DifferenceTraces</name>
@@ -10002,6 +10108,14 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>residual</source>
         <translation>Rest</translation>
+    </message>
+    <message>
+        <source>clean twin</source>
+        <translation>fehlerfreier Zwilling</translation>
+    </message>
+    <message>
+        <source>the fault alone</source>
+        <translation>der Fehler allein</translation>
     </message>
 </context>
 <context>
@@ -11013,10 +11127,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>%1?</translation>
     </message>
     <message>
-        <source>Or paint it yourself</source>
-        <translation>Oder malen Sie selbst</translation>
-    </message>
-    <message>
         <source>Free</source>
         <translation>Frei</translation>
     </message>
@@ -11143,6 +11253,26 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>A segment has to end after it begins.</source>
         <translation>Ein Abschnitt muss nach seinem Anfang enden.</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>confidence %1 %</source>
+        <translation>Sicherheit %1 %</translation>
+    </message>
+    <message>
+        <source>Paint in the plots, too</source>
+        <translation>Auch in den Kurven malen</translation>
+    </message>
+    <message>
+        <source>Drag in the plots to label a range instead of zooming</source>
+        <translation>Ziehen über die Kurven markiert einen Abschnitt, statt zu vergrößern</translation>
     </message>
 </context>
 <context>
@@ -12082,6 +12212,18 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>More than one interpretation fits, each with a different mass. Choose the right one; Heft does not guess.</source>
         <translation>Mehr als eine Deutung passt, jede mit einer anderen Masse. Wählen Sie die richtige; Heft rät nicht.</translation>
     </message>
+    <message>
+        <source>Making the recording without the fault</source>
+        <translation>Aufnahme ohne den Fehler wird erzeugt</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 · %2 s</source>
+        <translation>%1 · %2 s</translation>
+    </message>
 </context>
 <context>
     <name>heft::RecordPanel</name>
@@ -12537,14 +12679,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Rest (grau: Rauschen)</translation>
     </message>
     <message>
-        <source>Paint</source>
-        <translation>Malen</translation>
-    </message>
-    <message>
-        <source>Drag in the plots to label a range instead of zooming</source>
-        <translation>Ziehen über die Kurven markiert einen Abschnitt, statt zu vergrößern</translation>
-    </message>
-    <message>
         <source>Show the whole recording (0)</source>
         <translation>Die ganze Aufnahme zeigen (0)</translation>
     </message>
@@ -12691,10 +12825,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>um den Schwerpunkt, %1</translation>
     </message>
     <message>
-        <source>Details</source>
-        <translation>Details</translation>
-    </message>
-    <message>
         <source>All methods</source>
         <translation>Alle Verfahren</translation>
     </message>
@@ -12731,10 +12861,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Ursache zeigen</translation>
     </message>
     <message>
-        <source>Copy the details</source>
-        <translation>Details kopieren</translation>
-    </message>
-    <message>
         <source>Weigh what was picked up</source>
         <translation>Aufgenommenes wiegen</translation>
     </message>
@@ -12765,10 +12891,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Find the cause</source>
         <translation>Ursache finden</translation>
-    </message>
-    <message>
-        <source>As a table, for a spreadsheet or a message</source>
-        <translation>Als Tabelle für eine Tabellenkalkulation oder eine Nachricht</translation>
     </message>
 </context>
 <context>

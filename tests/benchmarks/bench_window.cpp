@@ -1,6 +1,9 @@
 // The whole window under software rendering, on a private X server:
 //   bench_window frames [MINUTES]    a recording of ten minutes at 1 kHz, opened as a user opens it: what one frame of
 //                                    zooming, panning and playing takes with plots, marks and the 3D view together
+//   bench_window playing [MINUTES]   pictures a second of the plots' cursor and of the 3D view while a recording plays,
+//   a
+//                                    short one and one of ten minutes, in one run
 //   bench_window start PROGRAM       from the start of heft-studio until its window, and its arm, stand on the screen
 //   bench_window live [MINUTES]      a robot that sends 1 kHz over UDP: once a minute what came, what was drawn, how
 //   long
@@ -14,6 +17,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
+#include <QEventLoop>
 #include <QImage>
 #include <QLineEdit>
 #include <QLocale>
@@ -23,6 +27,7 @@
 #include <QSlider>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <algorithm>
 #include <atomic>
 #include <clocale>
@@ -43,8 +48,10 @@
 #include "ui/record_panel/source_form.h"
 #include "ui/robot_view/graphics_setup.h"
 #include "ui/robot_view/robot_view.h"
+#include "ui/robot_view/viewport.h"
 #include "ui/theme/theme.h"
 #include "ui/timeline/playback.h"
+#include "ui/timeline/time_cursor.h"
 #include "ui/wrench_plots/recording_pane.h"
 
 namespace heft {
@@ -244,6 +251,66 @@ int frames(double minutes) {
   return 0;
 }
 
+/// Counts what a widget draws.
+class PaintCounter : public QObject {
+ public:
+  explicit PaintCounter(QWidget* of) : QObject(of) { of->installEventFilter(this); }
+  int paints = 0;
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() == QEvent::Paint) ++paints;
+    return false;
+  }
+};
+
+int playing(double minutes) {
+  constexpr int kSeconds = 8;
+  const QTemporaryDir folder;
+  Workspace workspace;
+  MainWindow window(&workspace, false);
+  window.resize(kWindow);
+  window.show();
+  TimeCursor* cursor = nullptr;  // It has no meta-object of its own.
+  for (auto* child : window.recordingPane()->findChildren<QWidget*>())
+    if (auto* found = dynamic_cast<TimeCursor*>(child)) cursor = found;
+  auto* viewport = window.robotView()->findChild<Viewport*>();
+  if (!cursor || !viewport) return 1;
+  PaintCounter plots(cursor);
+  int pictures = 0;
+  QObject::connect(viewport, &Viewport::rendered, viewport, [&] { ++pictures; });
+  fmt::print("{:24}  {:>14}  {:>10}  {:>24}\n", "recording, step", "plots [1/s]", "3D [1/s]",
+             "processor, ms a picture");
+  for (const double length : {20.0, 60.0 * minutes}) {
+    const std::string file = folder.filePath(QString::number(length) + ".csv").toStdString();
+    if (!writeLong(file, length)) return 1;
+    workspace.open(QString::fromStdString(file));
+    turnUntil([&] { return window.settled(); });
+    for (const Step step : {Step::result, Step::mark}) {
+      window.showStep(step);
+      turnFor(1500);
+      window.playback()->setTime(2.0);
+      window.playback()->setPlaying(true);
+      turnFor(1000);
+      plots.paints = pictures = 0;
+      const double before = processorSeconds();
+      QElapsedTimer clock;
+      clock.start();
+      QEventLoop loop;  // As the program runs, asleep between events
+      QTimer::singleShot(1000 * kSeconds, &loop, &QEventLoop::quit);
+      loop.exec();
+      const double each = 1000.0 * (processorSeconds() - before) / std::max(1, pictures);
+      const double seconds = 1e-3 * static_cast<double>(clock.elapsed());
+      window.playback()->setPlaying(false);
+      fmt::print("{:24}  {:14.1f}  {:10.1f}  {:24.1f}\n", fmt::format("{:.0f} s, {}", length, stepId(step)),
+                 plots.paints / seconds, pictures / seconds, each);
+      std::fflush(stdout);
+    }
+  }
+  fmt::print("load of the machine {:.1f}\n", machineLoad());
+  return 0;
+}
+
 /// Colours of every fourth pixel of the screen.
 std::size_t coloursOnScreen() {
   const QImage image = QGuiApplication::primaryScreen()->grabWindow(0).toImage().convertToFormat(QImage::Format_RGB32);
@@ -369,8 +436,11 @@ int live(int minutes) {
 int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";
   const double number = argc > 2 ? std::atof(argv[2]) : 0.0;
-  if ((what != "frames" && what != "start" && what != "live" && what != "knobs") || (what == "start" && argc < 3)) {
-    fmt::print(stderr, "bench_window frames [MINUTES] | start PROGRAM | live [MINUTES] | knobs [SECONDS]\n");
+  const bool known = what == "frames" || what == "playing" || what == "start" || what == "live" || what == "knobs";
+  if (!known || (what == "start" && argc < 3)) {
+    fmt::print(
+        stderr,
+        "bench_window frames [MINUTES] | playing [MINUTES] | start PROGRAM | live [MINUTES] | knobs [SECONDS]\n");
     return 2;
   }
   auto display = heft::PrivateDisplay::start(heft::kWindow.width(), heft::kWindow.height());
@@ -382,6 +452,7 @@ int main(int argc, char** argv) {
   QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
   heft::applyTheme(application, heft::ThemeKind::light);
   if (what == "frames") return heft::frames(number > 0 ? number : 10.0);
+  if (what == "playing") return heft::playing(number > 0 ? number : 10.0);
   if (what == "knobs") return heft::knobs(number > 0 ? number : 20.0);
   if (what == "start") return heft::start(QString::fromLocal8Bit(argv[2]));
   return heft::live(number > 0 ? static_cast<int>(number) : 30);

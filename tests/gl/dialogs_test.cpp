@@ -11,6 +11,8 @@
 #include <QDialog>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
+#include <QFileIconProvider>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMap>
@@ -20,6 +22,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
+#include <QStyle>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextBlock>
@@ -36,6 +39,8 @@
 #include "ui/main_window/main_window.h"
 #include "ui/studio/studio.h"
 #include "ui/studio/window_remedies.h"
+#include "ui/theme/icons.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/message_bar.h"
 
 namespace heft {
@@ -200,6 +205,49 @@ TEST_F(DialogsTest, EachInBothLanguagesAndThemes) {
     });
     keep(&studio->window(), "dialog_none" + ending);
   }
+}
+
+/// Qt's own dialogs, which a bare desktop shows, wear the studio's drawings and lead to its folders.
+TEST_F(DialogsTest, FileDialogsAndMessageBoxesLookLikeTheRest) {
+  const QString recording = simulated();
+  QDir().mkpath(recordedFolder());
+  studio->workspace().open(recording);
+  settle();
+  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+  for (const auto& [language, theme] : {std::pair("en", ThemeKind::light), std::pair("de", ThemeKind::dark)}) {
+    ASSERT_TRUE(studio->setLanguage(language));
+    studio->setTheme(theme);
+    settle();
+    bool seen = false;
+    QTimer poll;
+    poll.setInterval(30);
+    QObject::connect(&poll, &QTimer::timeout, [&] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      if (!dialog || !dialog->isVisible()) return;
+      poll.stop();
+      QTest::qWait(300);
+      QStringList places;
+      for (const QUrl& url : dialog->sidebarUrls()) places << url.toLocalFile();
+      EXPECT_TRUE(places.contains(QDir::homePath())) << places.join(' ').toStdString();
+      EXPECT_TRUE(places.contains(recordedFolder())) << places.join(' ').toStdString();
+      EXPECT_TRUE(places.contains(folder.path())) << "where the open recording is: " << places.join(' ').toStdString();
+      EXPECT_EQ(dialog->iconProvider()->icon(QFileIconProvider::Folder).pixmap(20, 20).toImage(),
+                themedIcon("folder").pixmap(20, 20).toImage());
+      keep(dialog, QStringLiteral("dialog_file_%1").arg(language));
+      seen = true;
+      dialog->reject();
+    });
+    poll.start();
+    entry("openFiles")->trigger();
+    EXPECT_TRUE(seen);
+    QMessageBox box(QMessageBox::Question, "Heft", "?", QMessageBox::Yes, &studio->window());
+    EXPECT_FALSE(box.iconPixmap().isNull());
+    EXPECT_EQ(qApp->style()->standardIcon(QStyle::SP_MessageBoxWarning).pixmap(32, 32).toImage(),
+              iconPixmap("light_look", 32, heft::theme().look, heft::theme().panel, 1.0).toImage());
+    keep(&box, QStringLiteral("dialog_question_%1").arg(language));
+    settle();
+  }
+  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs, false);
 }
 
 /// A picture in the line of a heading makes the line as high as the picture, and the page looks empty.

@@ -122,6 +122,10 @@ TEST_F(HonestyTest, TheDifferenceStandsBelowTheArmAndIsAlive) {
   ASSERT_TRUE(pane->isVisible()) << "without a click";
   TimeAxis* axis = window.recordingPane()->timeAxis();
   EXPECT_LT(axis->span(), 1.0) << "zoomed to where a delay shows";
+  window.showStep(Step::result);
+  EXPECT_GT(axis->span(), 5.0) << "that belongs to the reality check";
+  window.showStep(Step::realityCheck);
+  EXPECT_LT(axis->span(), 1.0) << "each time one comes there";
   EXPECT_NEAR(pane->traces()->curves().delay, 0.015, 0.003);
   const auto& curves = pane->traces()->curves();
   ASSERT_GT(curves.time.size(), 100);

@@ -5,6 +5,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUndoStack>
+#include <QVariant>
+#include <limits>
 
 #include "core/recording/csv_reader.h"
 #include "core/robot/robot_model.h"
@@ -80,14 +82,68 @@ TEST(MarkPanel, SuggestionsAreDecidedByAClickAndUndone) {
   EXPECT_EQ(panel.state().light, Light::measured);
 }
 
+TEST(MarkText, EvidenceIsTheResidualInTheSegment) {
+  WrenchSeries series;
+  series.time = VectorXd::LinSpaced(101, 0.0, 1.0);
+  series.simulated.setZero(101, 6);
+  series.measured.setZero(101, 6);
+  series.measured.middleRows(50, 51).col(0).setConstant(3.0);
+  series.measured.middleRows(50, 51).col(1).setConstant(-4.0);
+  series.measured.middleRows(50, 51).col(5).setConstant(0.2);
+  Segment calm, pushed, outside;
+  calm.to = 0.4;
+  pushed.from = 0.6, pushed.to = 1.0;
+  outside.from = 2.0, outside.to = 3.0;
+  EXPECT_EQ(residualText(calm, series), "Residual 0.000 N, 0.0000 N m RMS");
+  EXPECT_EQ(residualText(pushed, series), "Residual 5.000 N, 0.2000 N m RMS");
+  series.measured(70, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(residualText(pushed, series).contains("5.000 N")) << "missing values are left out";
+  EXPECT_TRUE(residualText(outside, series).isEmpty());
+  EXPECT_TRUE(residualText(calm, {}).isEmpty());
+  Vector6d noise = Vector6d::Zero();
+  noise << 0.3, 0, 0.4, 0, 0.005, 0;
+  EXPECT_EQ(noiseText(noise), "Sensor noise: 0.500 N, 0.0050 N m");
+}
+
+TEST(MarkPanel, BrushesStandAboveTheSuggestionsAndDetailsGiveTheEvidence) {
+  QTemporaryDir folder;
+  Workspace workspace;
+  StudioParts parts;
+  parts.workspace = &workspace;
+  MarkPanel panel(parts);
+  panel.resize(440, 900);
+  panel.show();
+  workspace.open(pushedFile(folder));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy(); }, 60000));
+  QTest::qWait(50);
+  const auto* brush = panel.findChild<QPushButton*>("brush1");
+  const auto* yes = panel.findChild<QPushButton*>("acceptButton");
+  ASSERT_TRUE(brush && yes);
+  EXPECT_LT(brush->mapTo(&panel, QPoint()).y(), yes->mapTo(&panel, QPoint()).y());
+  const auto evidence = [&] {
+    QStringList all;
+    for (const QLabel* label : panel.findChildren<QLabel*>())
+      if (label->property("role") == "evidence" && label->isVisible()) all << label->text();
+    return all;
+  };
+  EXPECT_TRUE(evidence().isEmpty());
+  panel.setDetailsShown(true);
+  QTest::qWait(50);
+  const QStringList all = evidence();
+  ASSERT_EQ(all.size(), static_cast<int>(workspace.segments().size()));
+  for (const QString& text : all) EXPECT_TRUE(text.contains("Residual ")) << text.toStdString();
+  EXPECT_TRUE(all.join('\n').contains("confidence ")) << all.join('\n').toStdString();
+}
+
 TEST(MarkPanel, ObeysScriptLines) {
   Workspace workspace;
   StudioParts parts;
   parts.workspace = &workspace;
   MarkPanel panel(parts);
   EXPECT_FALSE(panel.obey({"export", "x"}).has_value());
-  EXPECT_FALSE(panel.obey({"mark", "1"})->ok());
-  EXPECT_FALSE(panel.obey({"mark", "1", "2", "blue"})->ok());
+  EXPECT_FALSE(panel.obey({"mark", "1"}).has_value());
+  EXPECT_FALSE(panel.obey({"mark", "1", "2", "blue"}).has_value());
+  EXPECT_FALSE(panel.obey({"mark", "2", "1", "free"})->ok());
   EXPECT_NE(panel.obey({"mark", "1", "2", "free"})->error().message.find("open"), std::string::npos);
 }
 

@@ -442,15 +442,12 @@ TEST_F(PaintTest, KeysPaintFromEnterToEnter) {
   EXPECT_EQ(strokes.size(), 1u) << "Escape gives the stroke up";
 }
 
-TEST_F(PaintTest, ThePlotsPaintOnlyWhilePaintIsPressed) {
-  auto* paint = pane.findChild<QAbstractButton*>("paintButton");
-  ASSERT_TRUE(paint->isVisible());
-  QTest::mouseClick(paint, Qt::LeftButton);
+TEST_F(PaintTest, ThePlotsPaintOnlyWhereThatIsChosen) {
+  pane.setBrush(MarkLabel::contact, true);
   drag(canvas(), 300, 500, 50);
   EXPECT_EQ(strokes.size(), 1u);
   EXPECT_TRUE(pane.timeAxis()->showsAll());
-  pane.setBrush(std::nullopt);
-  EXPECT_FALSE(paint->isVisible());
+  pane.setBrush(MarkLabel::contact);
   drag(canvas(), 300, 500, 50);
   EXPECT_EQ(strokes.size(), 1u);
   EXPECT_FALSE(pane.timeAxis()->showsAll());

@@ -212,6 +212,20 @@ TEST_F(RealityPanelTest, ACleanRecordingIsSaidToFitAndTheNextStepIsExport) {
   EXPECT_FALSE(refused->ok());
 }
 
+TEST_F(RealityPanelTest, ASearchSaysWhatItDoesAndHowLongItHasTaken) {
+  open(simulated("long.csv", {}));
+  panel->diagnose();
+  const auto stage = [&] {
+    const auto* label = panel->findChild<QLabel*>("searchStage");
+    return label ? label->text() : QString();
+  };
+  EXPECT_TRUE(stage().contains("0 s")) << stage().toStdString();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return stage().contains("Testing causes") || !jobs->running(); }, kLong));
+  EXPECT_TRUE(jobs->running()) << "the stage was never told";
+  jobs->cancel();
+  settle();
+}
+
 TEST_F(RealityPanelTest, StopsWhenAsked) {
   panel->hide();  // Shown, it would look by itself as soon as a recording is there.
   open(simulated("late.csv", {{"time_offset", "", 15.0}}));
@@ -276,6 +290,26 @@ TEST_F(RealityPanelTest, APracticeRecordingHidesItsFaultUntilAGuess) {
   settle();
   EXPECT_TRUE(texts().contains(looksOf("time_offset")));
   EXPECT_FALSE(panel->findChild<QPushButton*>("giveUp"));
+  // What it would be without the fault stands beside it: they differ by far more than noise, and not everywhere.
+  auto* traces = panel->ownPane()->findChild<DifferenceTraces*>();
+  ASSERT_NE(traces, nullptr);
+  EXPECT_TRUE(traces->curves().clean.isEmpty());
+  QTest::mouseClick(panel->findChild<QPushButton*>("showTwin"), Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !traces->curves().clean.isEmpty(); }, kLong));
+  settle();
+  const DifferenceCurves& curves = traces->curves();
+  ASSERT_EQ(curves.clean.size(), curves.time.size());
+  double most = 0.0, least = 1e9;
+  for (int n = 0; n < curves.time.size(); ++n) {
+    most = std::max(most, std::abs(curves.value(6, n)));
+    least = std::min(least, std::abs(curves.value(6, n)));
+  }
+  EXPECT_GT(most, 3.0 * curves.noise);
+  EXPECT_LT(least, curves.noise);
+  EXPECT_EQ(panel->findChild<QPushButton*>("showTwin")->text(), "Hide the clean twin");
+  QTest::mouseClick(panel->findChild<QPushButton*>("showTwin"), Qt::LeftButton);
+  settle();
+  EXPECT_TRUE(traces->curves().clean.isEmpty());
   QTest::mouseClick(panel->findChild<QPushButton*>("guess_cable_pull"), Qt::LeftButton);
   settle();
   EXPECT_FALSE(texts().join("|").contains("Hidden was"));

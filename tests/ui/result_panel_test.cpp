@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QClipboard>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -47,6 +48,43 @@ TEST(ResultPanel, DetailsAreOneClickBehind) {
   EXPECT_TRUE(textsOf(panel).contains("Method"));
   panel.setDetailsShown(false);
   EXPECT_FALSE(textsOf(panel).contains("Method"));
+}
+
+TEST(ResultPanel, DetailsChooseAFrameShowCorrelationsAndCanBeCopied) {
+  EstimateReport report = test::reportOn(test::sineRecording(1000, 100));
+  report.mount.xyz = {0, 0, 0.04};
+  ResultText result = describeResult(report, {});
+  result.correlation.values(0, 3) = result.correlation.values(3, 0) = -0.97;
+  ResultPanel panel;
+  panel.resize(440, 900);
+  panel.show();
+  panel.showResult(result);
+  panel.setDetailsShown(true);
+  QTest::qWait(50);
+  const auto shown = [&] {
+    QStringList texts;
+    for (const QLabel* label : panel.findChildren<QLabel*>())
+      if (label->isVisible()) texts << label->text();
+    return texts.join('\n');
+  };
+  const QString sensor = result.frames.at(0).front().value, flange = result.frames.at(1).front().value;
+  ASSERT_NE(sensor, flange);
+  EXPECT_TRUE(shown().contains(sensor) && !shown().contains(flange)) << shown().toStdString();
+  QTest::mouseClick(panel.findChild<QPushButton*>("frameFlange"), Qt::LeftButton);
+  QTest::qWait(50);
+  EXPECT_TRUE(shown().contains(flange) && !shown().contains(sensor)) << shown().toStdString();
+  panel.showResult(result);
+  QTest::qWait(50);
+  EXPECT_TRUE(shown().contains(flange)) << "the frame stays chosen with the next estimate";
+  auto* matrix = panel.findChild<QWidget*>("correlationView");
+  ASSERT_NE(matrix, nullptr);
+  EXPECT_TRUE(matrix->isVisible());
+  auto* title = panel.findChild<QWidget*>("correlationView")->parentWidget();
+  EXPECT_LE(matrix->width(), title->width());
+  QTest::mouseClick(panel.findChild<QPushButton*>("copyDetails"), Qt::LeftButton);
+  const QString copied = QApplication::clipboard()->text();
+  EXPECT_TRUE(copied.contains(sensor) && copied.contains(flange)) << copied.toStdString();
+  EXPECT_TRUE(copied.contains(QString::fromUtf8("z\t−0.970"))) << copied.toStdString();
 }
 
 TEST(ResultPanel, HasExactlyOneFilledButtonThatSaysWhatHappens) {

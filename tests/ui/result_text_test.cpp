@@ -116,7 +116,46 @@ TEST(DescribeResult, SpeaksTheUnitsThatAreChosen) {
   QString details;
   for (const DetailText& detail : text.details) details += detail.name + detail.value + '\n';
   EXPECT_TRUE(details.contains("N mm")) << details.toStdString();
-  EXPECT_TRUE(details.contains("Principal moments"));
+  QString frame;
+  for (const DetailText& detail : text.frames.at(0)) frame += detail.name + detail.value + '\n';
+  EXPECT_TRUE(frame.contains("Principal moments")) << frame.toStdString();
+}
+
+TEST(DescribeResult, TheSharesAgreeWithWhereTheNumbersComeFrom) {
+  EstimateReport report = test::reportOn(test::sineRecording(1000, 100));
+  report.evidence.hasPrior = true;
+  report.identifiability.inertiaShare = 0.99;  // Of the vague prior; what the shape gave is another question.
+  report.std.inertiaCom = Matrix3d::Constant(1e-4);
+  report.evidence.dataStd << 0.002, 0.0003, 0.0003, 0.0004, 2e-4, 2e-4, 2e-4, 4e-4, 2e-4, std::nan("");
+  const ResultText text = describeResult(report, {});
+  ASSERT_EQ(text.shares.size(), 3u);
+  EXPECT_EQ(text.shares[0].words, "100 % data");
+  EXPECT_EQ(text.shares[1].words, "100 % data");
+  // A half, a quarter and nothing of the three deviations: (1/4 + 1/16 + 0) / 3.
+  EXPECT_NEAR(text.shares[2].data, 0.3125 / 3.0, 1e-9);
+  EXPECT_EQ(text.shares[2].words, "90 % your shape");
+}
+
+TEST(DescribeResult, StatesDetailsInTheFrameOfSensorOrFlange) {
+  EstimateReport report = test::reportOn(test::sineRecording(1000, 100));
+  report.mount.xyz = {0, 0, 0.04};
+  report.mount.rpy = {0, 0, 1.5707963267948966};
+  report.payload.com = {0.01, 0.0, 0.05};
+  report.payload.inertiaCom = Vector3d(0.003, 0.002, 0.001).asDiagonal();
+  const ResultText text = describeResult(report, {});
+  ASSERT_EQ(text.frames.size(), 2u);
+  const auto value = [&](std::size_t frame, const char* name) {
+    for (const DetailText& row : text.frames[frame])
+      if (row.name == name) return row.value.toStdString();
+    return std::string();
+  };
+  EXPECT_EQ(value(0, "Centre of mass"), "10.0  0.0  50.0 mm");
+  EXPECT_EQ(value(1, "Centre of mass"), "0.0  10.0  90.0 mm");
+  EXPECT_EQ(value(0, "Inertia about the centre").substr(0, 19), "30.00  20.00  10.00");
+  EXPECT_EQ(value(1, "Inertia about the centre").substr(0, 19), "20.00  30.00  10.00");
+  // m (y2 + z2) = 0.812 kg * 25 cm2 more about the sensor's x.
+  EXPECT_EQ(value(0, "Inertia about the origin").substr(0, 5),
+            numberText(30.0 + 25.0 * report.payload.mass, 2).toStdString());
 }
 
 TEST(DescribeResult, SaysTheDifferenceByChannel) {

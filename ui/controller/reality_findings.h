@@ -36,13 +36,14 @@ class RealityFindings : public QObject {
     std::weak_ptr<const OpenRecording> of;
     std::shared_ptr<const DiagnosisReport> report;
     std::vector<diagnosis::Witness> witnesses;
-    std::optional<ReadingCurves> curves;  ///< Where the numbers do not mean what the setup file says
-    std::string json;                     ///< heft.diagnose/1
-    std::vector<Mark> marks;              ///< That it was made with.
-    std::string guess;                    ///< Of a practice recording, once the solution was shown
-    std::string tried;                    ///< The first guess, if it was wrong
-    bool hinted = false;                  ///< A hint was asked for.
-    bool secret = false;                  ///< Of a practice recording that is still to be guessed
+    std::optional<ReadingCurves> curves;    ///< Where the numbers do not mean what the setup file says
+    std::string json;                       ///< heft.diagnose/1
+    std::vector<Mark> marks;                ///< That it was made with.
+    std::string guess;                      ///< Of a practice recording, once the solution was shown
+    std::string tried;                      ///< The first guess, if it was wrong
+    std::shared_ptr<const Recording> twin;  ///< Of a practice recording: the same without the fault, once asked for
+    bool hinted = false;                    ///< A hint was asked for.
+    bool secret = false;                    ///< Of a practice recording that is still to be guessed
   };
   /// Of the practice recordings since the program was started.
   struct Score {

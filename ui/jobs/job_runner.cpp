@@ -2,8 +2,27 @@
 
 #include <QMetaObject>
 #include <QPointer>
+#include <chrono>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace heft {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Memory that long work has freed goes back to the system, instead of waiting in the allocator for the next.
+void giveMemoryBack(Clock::duration worked) {
+  constexpr std::chrono::seconds kLong(2);  // Shorter work comes often, and walking the heap takes a moment.
+  if (worked < kLong) return;
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+}  // namespace
 
 /// Latest progress of the job under way: the worker writes, a timer of the GUI thread reads, so that a chatty worker
 /// cannot flood the event queue.
@@ -43,7 +62,9 @@ void JobRunner::launch(const QString& title, Task task) {
       shared->what = what;
       shared->changed = true;
     };
+    const auto began = Clock::now();
     auto completion = task(progress);
+    giveMemoryBack(Clock::now() - began);
     // `this` is alive here: the destructor joins every worker first. Qt drops the event if the runner dies before it
     // is delivered.
     QMetaObject::invokeMethod(

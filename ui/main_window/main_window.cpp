@@ -6,9 +6,11 @@
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QFileInfo>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMenu>
+#include <QPointer>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTimer>
@@ -32,6 +34,7 @@
 #include "ui/robot_view/robot_view.h"
 #include "ui/steps/step_bar.h"
 #include "ui/theme/icons.h"
+#include "ui/widgets/file_dialog_look.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/wrench_plots/recording_pane.h"
@@ -50,6 +53,12 @@ MainWindow::MainWindow(Workspace* workspace, bool remembers, QWidget* parent)
   setWindowIcon(applicationIcon());
   setAcceptDrops(true);
   guardWheel();
+  dressFileDialogs([session = QPointer<Workspace>(workspace)] {
+    QStringList folders{recordedFolder()};
+    const auto opened = session ? session->opened() : nullptr;
+    if (opened) folders << QFileInfo(opened->path).absolutePath();
+    return folders;
+  });
   // Not larger than a small laptop's screen, its frame included.
   const QSize room = roomOnScreen();
   resize(QSize(1440, 900).boundedTo(room));

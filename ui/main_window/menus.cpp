@@ -41,7 +41,9 @@ void MenuBuilder::finish(QMenuBar*, const StudioMenus& menus) {
 
 void MenuBuilder::buildFile(QMenu* menu) {
   menu->addAction(tr("&New"), w_->files_, &Files::startAfresh)->setShortcut(QKeySequence::New);
-  menu->addAction(tr("&Open …"), w_->files_, &Files::choose)->setShortcut(QKeySequence::Open);
+  QAction* open = menu->addAction(tr("&Open …"), w_->files_, &Files::choose);
+  open->setShortcut(QKeySequence::Open);
+  open->setObjectName("openFiles");
   w_->files_->fillRecent(menu->addMenu(tr("Open &recent")));
   menu->addSeparator();
   menu->addAction(tr("&Save session"), w_->files_, &Files::save)->setShortcut(QKeySequence::Save);

@@ -2,7 +2,11 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <cmath>
+
 #include "ui/models/numbers.h"
+#include "ui/models/units.h"
 
 namespace heft {
 namespace {
@@ -33,6 +37,28 @@ MarkSummary summarise(const std::vector<Segment>& segments, const std::vector<bo
   }
   out.enough = out.seconds[0] >= kEnough;
   return out;
+}
+
+QString residualText(const Segment& segment, const WrenchSeries& series) {
+  Vector6d sum = Vector6d::Zero();
+  Eigen::Index count = 0;
+  const double* const begin = series.time.data();
+  const double* const end = begin + std::min(series.time.size(), series.simulated.rows());
+  for (const double* at = std::lower_bound(begin, end, segment.from); at != end && *at <= segment.to; ++at) {
+    const Vector6d off = (series.measured.row(at - begin) - series.simulated.row(at - begin)).transpose();
+    if (!off.allFinite()) continue;
+    sum += off.cwiseAbs2();
+    ++count;
+  }
+  if (count == 0) return {};
+  sum /= static_cast<double>(count);
+  return Words::tr("Residual %1 N, %2 RMS")
+      .arg(numberText(std::sqrt(sum.head<3>().sum()), 3), torqueText(std::sqrt(sum.tail<3>().sum()), 4));
+}
+
+QString noiseText(const Vector6d& noiseStd) {
+  return Words::tr("Sensor noise: %1 N, %2")
+      .arg(numberText(noiseStd.head<3>().norm(), 3), torqueText(noiseStd.tail<3>().norm(), 4));
 }
 
 QString markAnswer(const MarkSummary& summary) {

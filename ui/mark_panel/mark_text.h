@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/estimation/estimate.h"
 #include "core/segmentation/segmentation.h"
 
 namespace heft {
@@ -22,6 +23,11 @@ struct MarkSummary {
 };
 
 MarkSummary summarise(const std::vector<Segment>& segments, const std::vector<bool>& suggested, double duration);
+
+/// "Residual 9.02 N, 0.512 N m RMS": of measured − simulated in the segment. Empty where nothing was simulated.
+QString residualText(const Segment& segment, const WrenchSeries& series);
+/// "Sensor noise: 0.09 N, 0.004 N m", to compare with.
+QString noiseText(const Vector6d& noiseStd);
 
 /// "When was the tool free (not touching anything)?" needs one sentence of answer.
 QString markAnswer(const MarkSummary& summary);

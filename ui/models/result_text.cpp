@@ -3,9 +3,11 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "core/base/doubts.h"
-#include "core/math/linear_algebra.h"
+#include "core/estimation/uncertainty.h"
+#include "ui/models/detail_text.h"
 #include "ui/models/numbers.h"
 #include "ui/models/said_now.h"
 #include "ui/models/units.h"
@@ -143,138 +145,16 @@ QString adviceText(const EstimateReport& report) {
   return {};
 }
 
-/// Root mean square of measured − simulated per channel over the free parts [N], [N m]; NaN without any.
-Vector6d channelRms(const EstimateReport& r) {
-  Vector6d sum = Vector6d::Zero();
-  Eigen::Index count = 0;
-  auto segment = r.segments.begin();
-  for (Eigen::Index n = 0; n < std::min(r.series.simulated.rows(), r.series.time.size()); ++n) {
-    while (segment != r.segments.end() && segment->to < r.series.time(n)) ++segment;
-    if (segment == r.segments.end()) break;
-    if (segment->label != MarkLabel::free || segment->from > r.series.time(n)) continue;
-    sum += (r.series.measured.row(n) - r.series.simulated.row(n)).transpose().cwiseAbs2();
-    ++count;
+/// Of the precision of the result in these components (their mean), what the motion alone gives: where what was stated
+/// halves a deviation, a quarter. Of the components as in Evidence.
+double motionShare(const EstimateReport& report, std::initializer_list<int> components) {
+  const Vector10d std = componentsOf(report.std);
+  double sum = 0.0;
+  for (const int k : components) {
+    const double alone = report.evidence.dataStd(k);
+    if (std::isfinite(alone) && alone > 0.0) sum += std::min(1.0, std::pow(std(k) / alone, 2));
   }
-  return (sum / static_cast<double>(count)).cwiseSqrt();
-}
-
-/// Principal moments about the centre of mass, each with its axis in S; nothing where the inertia is not known.
-void addPrincipalAxes(const EstimateReport& r, std::vector<DetailText>& rows) {
-  if (!r.payload.inertiaCom.allFinite() || r.payload.inertiaCom.isZero()) return;
-  const SymmetricEigen principal = symmetricEigen(r.payload.inertiaCom);
-  QStringList lines;
-  for (int k = 2; k >= 0; --k) {
-    const Vector3d axis = principal.vectors.col(k);
-    // One of the two directions, so that it does not flip from one estimate to the next.
-    Eigen::Index largest = 0;
-    axis.cwiseAbs().maxCoeff(&largest);
-    const Vector3d shown = axis(largest) < 0 ? Vector3d(-axis) : axis;
-    lines << ResultWords::tr("%1 kg cm² about (%2, %3, %4)")
-                 .arg(numberText(1e4 * principal.values(k), 2), numberText(shown.x(), 2), numberText(shown.y(), 2),
-                      numberText(shown.z(), 2));
-  }
-  rows.push_back(
-      {ResultWords::tr("Principal moments"), lines.join('\n'),
-       ResultWords::tr(
-           "Moments about the principal axes through the centre of mass, and these axes in the sensor’s frame")});
-}
-
-/// What the motion determined and what it did not: the ten directions, the best determined first.
-void addDirections(const EstimateReport& r, std::vector<DetailText>& rows) {
-  if (r.identifiability.directions.empty()) return;
-  QStringList lines;
-  constexpr double kWhole = 0.995;  // Rounds to 100 %
-  int whole = 0;
-  for (const auto& direction : r.identifiability.directions) whole += direction.dataShare >= kWhole ? 1 : 0;
-  if (whole > 0)
-    lines << ResultWords::tr("100 %, %1 of %2 directions").arg(whole).arg(r.identifiability.directions.size());
-  for (const auto& direction : r.identifiability.directions)
-    if (direction.dataShare < kWhole)
-      lines << ResultWords::tr("%1 %, %2").arg(numberText(100 * direction.dataShare, 0), saidNow(direction.about));
-  rows.push_back({ResultWords::tr("Determined by the motion"), lines.join('\n'),
-                  ResultWords::tr("Ten independent directions among the parameters, and the share of the data in each; "
-                                  "the rest comes from what was assumed")});
-}
-
-std::vector<DetailText> detailTexts(const EstimateReport& r) {
-  std::vector<DetailText> rows;
-  const auto add = [&](const QString& name, const QString& value, const QString& tip) {
-    rows.push_back({name, value, tip});
-  };
-  const auto triple = [](const Vector3d& v, int decimals) {
-    return QStringLiteral("%1  %2  %3")
-        .arg(numberText(v.x(), decimals), numberText(v.y(), decimals), numberText(v.z(), decimals));
-  };
-  add(ResultWords::tr("Method"),
-      QString::fromUtf8(toString(r.method).data(), static_cast<int>(toString(r.method).size())),
-      r.termination.why.empty() ? ResultWords::tr("How the values were determined")
-                                : QString::fromStdString(r.termination.why));
-  add(ResultWords::tr("Used"),
-      ResultWords::tr("%1 of %2 s, %3 Hz")
-          .arg(numberText(r.usedDuration, 1), numberText(r.duration, 1), numberText(r.rateHz, 0)),
-      ResultWords::tr("Free segments, without the trimmed ends"));
-  add(ResultWords::tr("Residual force"), ResultWords::tr("%1 N").arg(numberText(r.forceRms, 3)),
-      ResultWords::tr("Root mean square of the residual on free segments"));
-  const ShownUnit torque = torqueUnit();
-  const auto torqueText = [&](double newtonMetres, int decimals) {
-    return numberText(torque.scale * newtonMetres, decimals + torque.decimals);
-  };
-  add(ResultWords::tr("Residual torque"), QStringLiteral("%1 %2").arg(torqueText(r.torqueRms, 4), torque.name),
-      ResultWords::tr("Root mean square of the residual on free segments"));
-  if (const Vector6d rms = channelRms(r); rms.allFinite()) {
-    add(ResultWords::tr("Force by channel"),
-        ResultWords::tr("%1 N, noise %2").arg(triple(rms.head<3>(), 3), triple(r.noiseStd.head<3>(), 3)),
-        ResultWords::tr("Root mean square of the residual in x, y, z, and the sensor’s noise"));
-    const auto three = [&](const Vector3d& v) { return triple(torque.scale * v, 4 + torque.decimals); };
-    add(ResultWords::tr("Torque by channel"),
-        ResultWords::tr("%1 %2, noise %3").arg(three(rms.tail<3>()), torque.name, three(r.noiseStd.tail<3>())),
-        ResultWords::tr("Root mean square of the residual in x, y, z, and the sensor’s noise"));
-  }
-  if (r.heldoutForceRms > 0) {
-    add(ResultWords::tr("Held-out error"),
-        QStringLiteral("%1 N, %2 %3")
-            .arg(numberText(r.heldoutForceRms, 3), torqueText(r.heldoutTorqueRms, 4), torque.name),
-        ResultWords::tr("The same on segments that were not used for fitting"));
-  }
-  add(ResultWords::tr("Sensor bias, force"), ResultWords::tr("%1 N").arg(triple(r.forceBias, 2)),
-      ResultWords::tr("Constant offset x, y, z of the sensor"));
-  add(ResultWords::tr("Sensor bias, torque"),
-      QStringLiteral("%1 %2").arg(triple(torque.scale * r.torqueBias, 3 + torque.decimals), torque.name),
-      ResultWords::tr("Constant offset x, y, z of the sensor"));
-  if (r.identifiability.conditionNumber > 0) {
-    add(ResultWords::tr("Condition number"), numberText(r.identifiability.conditionNumber, 0),
-        ResultWords::tr("Of the scaled, whitened regressor: how unevenly the motion determines the ten parameters"));
-  }
-  addDirections(r, rows);
-  addPrincipalAxes(r, rows);
-  const Payload onFlange = transformed(r.payload, poseFromXyzRpy(r.mount.xyz, r.mount.rpy));
-  const ShownUnit length = lengthUnit();
-  add(ResultWords::tr("Centre from the flange"),
-      QStringLiteral("%1 %2").arg(triple(length.scale * onFlange.com, 1 + length.decimals), length.name),
-      ResultWords::tr("x, y, z from the flange’s origin along its axes, with the sensor’s mount as stated"));
-  const Matrix3d& I = onFlange.inertiaCom;
-  add(ResultWords::tr("Inertia, flange axes"),
-      ResultWords::tr("%1\n%2 kg cm²")
-          .arg(triple(1e4 * I.diagonal(), 2), triple(1e4 * Vector3d(I(0, 1), I(0, 2), I(1, 2)), 2)),
-      ResultWords::tr("About the centre of mass: xx, yy, zz; xy, xz, yz"));
-  if (r.relativeError) {
-    QStringList errors;
-    if (r.relativeError->hasMass)
-      errors << ResultWords::tr("mass %1 %").arg(numberText(100 * r.relativeError->mass, 2));
-    if (r.relativeError->hasCom)
-      errors << ResultWords::tr("centre %1 %").arg(numberText(100 * r.relativeError->com, 2));
-    if (r.relativeError->hasInertia)
-      errors << ResultWords::tr("inertia %1 %").arg(numberText(100 * r.relativeError->inertiaCom, 1));
-    if (!errors.isEmpty())
-      add(ResultWords::tr("Deviation from reference"), errors.join(", "),
-          ResultWords::tr("Relative error |estimate − stated| / |stated|"));
-  }
-  add(ResultWords::tr("Physically consistent"), r.physicallyConsistent ? ResultWords::tr("yes") : ResultWords::tr("no"),
-      ResultWords::tr("Positive mass, and an inertia that a real mass distribution can have"));
-  add(ResultWords::tr("Computation time"),
-      ResultWords::tr("%1 s").arg(numberText(r.timing.prepare + r.timing.solve, 2)),
-      ResultWords::tr("Preparing and solving"));
-  return rows;
+  return sum / static_cast<double>(components.size());
 }
 
 /// Mass, centre and inertia: what the data said, what was stated, and what became of it.
@@ -304,9 +184,9 @@ std::vector<ShareText> shareTexts(const EstimateReport& report) {
                     lines.join('\n'), pulled});
   };
   const ShownUnit mass = massUnit(), length = lengthUnit();
-  add(ResultWords::tr("Mass"), report.identifiability.massShare, 0, 1, mass.scale, mass.name);
-  add(ResultWords::tr("Centre"), report.identifiability.comShare, 1, 3, length.scale, length.name);
-  add(ResultWords::tr("Inertia"), report.identifiability.inertiaShare, 4, 6, 1e4, ResultWords::tr("kg cm²"));
+  add(ResultWords::tr("Mass"), motionShare(report, {0}), 0, 1, mass.scale, mass.name);
+  add(ResultWords::tr("Centre"), motionShare(report, {1, 2, 3}), 1, 3, length.scale, length.name);
+  add(ResultWords::tr("Inertia"), motionShare(report, {4, 7, 9}), 4, 6, 1e4, ResultWords::tr("kg cm²"));
   return rows;
 }
 
@@ -497,6 +377,9 @@ ResultText describeResult(const EstimateReport& report, const KnownPayload& know
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);
   });
   out.details = detailTexts(report);
+  out.correlation = matrixText(report);
+  for (const DetailFrame frame : {DetailFrame::sensor, DetailFrame::flange})
+    out.frames.push_back(frameTexts(report, frame));
   if (report.trust == Trust::none) withholdNumbers(report, out);
   return out;
 }

@@ -37,6 +37,12 @@ struct DetailText {
   QString name, value, tip;
 };
 
+/// Correlations of the reported numbers.
+struct MatrixText {
+  QStringList names;
+  Matrix10d values = Matrix10d::Identity();
+};
+
 /// How much of a number the motion determined, compared with what the user stated.
 struct ShareText {
   QString name;
@@ -65,6 +71,8 @@ struct ResultText {
   std::vector<ShareText> shares;      ///< Empty if nothing was stated.
   std::vector<DetailText> known;      ///< Comparison with CAD or scale values; empty without any.
   std::vector<DetailText> details;
+  std::vector<std::vector<DetailText>> frames;  ///< Those of the sensor's axes, and of the flange's
+  MatrixText correlation;
 };
 
 /// What is known of the payload from elsewhere, and who says so.

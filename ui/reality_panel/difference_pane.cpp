@@ -34,19 +34,7 @@ namespace {
 
 constexpr int kWidestChoice = 320;  ///< [px] On a wide screen a list is no wider than its words.
 
-/// Of the chosen channel itself: what a delay or a filter shows best against.
-const QString kOwnRate = QStringLiteral("own_rate");
-
-QString witnessText(const std::string& id) { return QString::fromStdString(diagnosis::witnessWords(id)); }
-
 bool isLag(const std::string& id) { return id == "time_offset" || id == "low_pass_lag" || id == "motion_lag"; }
-
-/// Change of `y` a second, by central differences.
-VectorXd rateOf(const VectorXd& time, const VectorXd& y) {
-  VectorXd out = VectorXd::Zero(y.size());
-  for (Eigen::Index n = 1; n + 1 < y.size(); ++n) out(n) = (y(n + 1) - y(n - 1)) / (time(n + 1) - time(n - 1));
-  return out;
-}
 
 }  // namespace
 
@@ -197,8 +185,9 @@ void DifferencePane::showReport(std::shared_ptr<const DiagnosisReport> report,
       cause_->addItem(tr("all causes"), QString());
       for (const DiagnosedCause& each : report_->causes)
         if (each.before.cols() > 0) cause_->addItem(titleOf(each), QString::fromStdString(each.id));
-      for (const auto& w : witnesses_) witness_->addItem(witnessText(w.id), QString::fromStdString(w.id));
-      witness_->addItem(tr("rate of change of the load"), kOwnRate);
+      for (const auto& w : witnesses_)
+        witness_->addItem(QString::fromStdString(diagnosis::witnessWords(w.id)), QString::fromStdString(w.id));
+      witness_->addItem(tr("rate of change of the load"), ownRate());
     }
   }
   // Where the box has no room for a name, its list does.
@@ -234,7 +223,13 @@ void DifferencePane::showCause(const std::string& id) {
   refresh();
 }
 
+void DifferencePane::setZooms(bool on) {
+  zooms_ = on;
+  if (cause()) zoomToTelling();
+}
+
 void DifferencePane::zoomToTelling() {
+  if (!zooms_) return;
   const DiagnosedCause* one = cause();
   if (!one) return axis_->showAll();
   const auto stretch = telling(*report_, *one);
@@ -245,7 +240,7 @@ void DifferencePane::zoomToTelling() {
 void DifferencePane::chooseWitness() {
   const QSignalBlocker block(witness_);
   const DiagnosedCause* one = cause();
-  if (one && isLag(one->id)) return witness_->setCurrentIndex(witness_->findData(kOwnRate));
+  if (one && isLag(one->id)) return witness_->setCurrentIndex(witness_->findData(ownRate()));
   const diagnosis::Wrenches was = leftOver(false);
   double most = -1.0;
   for (std::size_t i = 0; i < witnesses_.size(); ++i) {
@@ -271,6 +266,24 @@ bool DifferencePane::setWitness(const QString& id) {
   return index >= 0;
 }
 
+void DifferencePane::setTwin(std::shared_ptr<const Recording> twin) { twin_ = std::move(twin); }
+
+/// The twin's readings around the times of the curves, as far as these reach.
+QVector<double> DifferencePane::twinCurve(const VectorXd& time, int channel, double scale) const {
+  QVector<double> out;
+  if (!twin_ || time.size() < 2) return out;
+  const double half = 0.5 * (time(1) - time(0));
+  Eigen::Index from = 0;
+  for (const double at : time) {
+    while (from < twin_->rows() && twin_->time(from) < at - half) ++from;
+    double sum = 0.0;
+    Eigen::Index n = from;
+    for (; n < twin_->rows() && twin_->time(n) <= at + half; ++n) sum += twin_->wrench(n, channel);
+    out.push_back(n > from ? scale * sum / static_cast<double>(n - from) : std::nan(""));
+  }
+  return out;
+}
+
 void DifferencePane::showCurves() {
   DifferenceCurves curves;
   if (report_) {
@@ -286,6 +299,7 @@ void DifferencePane::showCurves() {
       curves.without.push_back(judged ? unit.scale * (s.measured(c, n) - before(c, n)) : nan);
       curves.with.push_back(judged && !secret_ ? unit.scale * (s.measured(c, n) - after(c, n)) : nan);
     }
+    curves.clean = twinCurve(s.time.head(curves.time.size()), c, unit.scale);
     curves.noise = 2.0 * unit.scale * (c < 3 ? report_->noise.force : report_->noise.torque);
     curves.channel = channelText(c);
     curves.unit = unit.name;
@@ -296,91 +310,6 @@ void DifferencePane::showCurves() {
   }
   traces_->setCurves(std::move(curves));
   if (playback_) traces_->setTime(playback_->time());
-}
-
-Chart DifferencePane::frequencyChart(bool torque) const {
-  const auto spectrum = diagnosis::spectrumOf(report_->series, torque);
-  Chart chart;
-  const ShownUnit unit = wrenchUnit(torque);
-  chart.yTitle = (torque ? tr("Residual torque [%1/√Hz]") : tr("Residual force [%1/√Hz]")).arg(unit.name);
-  chart.xTitle = tr("Frequency [Hz]");
-  chart.logX = chart.logY = true;
-  addNoise(chart, *report_, spectrum, torque);
-  chart.band *= unit.scale;
-  for (QPointF& point : chart.floor) point.ry() *= unit.scale;
-  chart.nothing = tr("No segment is long enough for a spectrum.");
-  for (const bool after : {false, true}) {
-    if (after && secret_) continue;
-    QVector<QPointF> points;
-    for (Eigen::Index i = 0; i < spectrum.frequency.size(); ++i)
-      points.push_back({spectrum.frequency(i), unit.scale * (after ? spectrum.after : spectrum.before)(i)});
-    chart.curves.push_back({after ? tr("with the causes") : tr("without"),
-                            after ? ChartCurve::Colour::after : ChartCurve::Colour::before, points, !after});
-  }
-  return chart;
-}
-
-Chart DifferencePane::motionChart(bool after) const {
-  Chart chart;
-  const int c = channel_->currentIndex();
-  const auto& s = report_->series;
-  const ShownUnit unit = wrenchUnit(c >= 3);
-  chart.yTitle = (after ? tr("With the causes: %1 [%2]") : tr("Without: %1 [%2]")).arg(channelText(c), unit.name);
-  chart.band = 2.0 * unit.scale * (c < 3 ? report_->noise.force : report_->noise.torque);
-  chart.nothing = tr("Nothing to compare with.");
-  const QString id = witness_->currentData().toString();
-  VectorXd value;
-  if (id == kOwnRate) {
-    value = unit.scale * rateOf(s.time, s.before.row(c).transpose());
-    chart.xTitle = QStringLiteral("%1 [%2/s]").arg(witness_->currentText(), unit.name);
-  } else {
-    const auto witness = std::find_if(witnesses_.begin(), witnesses_.end(),
-                                      [&](const auto& w) { return QString::fromStdString(w.id) == id; });
-    if (witness == witnesses_.end()) return chart;
-    value = witness->value;
-    chart.xTitle = witness->unit.empty()
-                       ? witnessText(witness->id)
-                       : QStringLiteral("%1 [%2]").arg(witnessText(witness->id), QString::fromStdString(witness->unit));
-  }
-  // A sign has two values: beside one another, or a dot would hide all that lie below it.
-  const double width = id.startsWith(QLatin1String("velocity-sign")) ? 0.3 : 0.0;
-  const auto aside = [&](Eigen::Index n) {
-    constexpr double kGolden = 0.6180339887498949;
-    return width * (std::fmod(kGolden * static_cast<double>(n), 1.0) - 0.5);
-  };
-  const diagnosis::Wrenches left = leftOver(after), without = leftOver(false);
-  const double now = playback_ ? playback_->time() : -1.0;
-  QVector<QPointF> points;
-  double nearest = 0.05;  // [s] The blocks' own distance, and a little more
-  for (Eigen::Index n = 0; n < std::min({s.time.size(), value.size(), left.cols()}); n += 2) {
-    const bool judged = s.judged[static_cast<std::size_t>(n)];
-    points.push_back(judged ? QPointF(value(n) + aside(n), unit.scale * left(c, n))
-                            : QPointF(std::nan(""), std::nan("")));
-    if (!judged) continue;
-    // One scale for both pictures.
-    chart.yLow = std::min(chart.yLow, without(c, n));
-    chart.yHigh = std::max(chart.yHigh, without(c, n));
-    if (std::abs(s.time(n) - now) < nearest) {
-      nearest = std::abs(s.time(n) - now);
-      chart.marker = points.back();
-    }
-  }
-  chart.curves.push_back({{}, ChartCurve::Colour::dots, points, false});
-  return chart;
-}
-
-std::vector<Chart> DifferencePane::charts() const {
-  if (!report_) return {};
-  switch (view_) {
-    case View::time:
-      break;
-    case View::frequency:
-      return {frequencyChart(false), frequencyChart(true)};
-    case View::motion:
-      if (secret_) return {motionChart(false)};
-      return {motionChart(false), motionChart(true)};
-  }
-  return {};
 }
 
 void DifferencePane::showTime(double time) {
@@ -404,6 +333,7 @@ void DifferencePane::refresh() {
   const Theme& t = theme();
   QString legend = line.arg(t.text.name(), QStringLiteral("━━ ") + tr("measured")) +
                    line.arg(t.text2.name(), QStringLiteral("╌╌ ") + tr("simulated as stated"));
+  if (twin_) legend += line.arg(t.good.name(), QStringLiteral("━━ ") + tr("clean twin, and the fault alone"));
   if (!secret_) legend += line.arg(t.accent.name(), QStringLiteral("━━ ") + tr("with the cause corrected"));
   const QString words[] = {
       legend + tr("· grey: the sensor’s noise, ±2 σ"),

@@ -32,6 +32,9 @@ class DifferencePane : public QWidget {
   void showReport(std::shared_ptr<const DiagnosisReport> report, std::vector<diagnosis::Witness> witnesses,
                   bool secret = false);
 
+  /// Drawn beside the measured curve, until replaced by null. Shown with the next report.
+  void setTwin(std::shared_ptr<const Recording> twin);
+
   enum class View { time, frequency, motion };
   void setView(View view);
   View view() const { return view_; }
@@ -41,6 +44,9 @@ class DifferencePane : public QWidget {
   bool setWitness(const QString& id);
   /// One cause alone, on the channel and in the segment where it shows best; an empty ID: all of them together.
   void showCause(const std::string& id);
+  /// Whether the shared time axis may be zoomed to where a cause shows: not while another step is shown. Turned on, it
+  /// is.
+  void setZooms(bool on);
 
   DifferenceTraces* traces() { return traces_; }
   /// For pictures and reports: of the views by frequency and against the motion.
@@ -64,12 +70,17 @@ class DifferencePane : public QWidget {
   const DiagnosedCause* cause() const;
   /// Residual without or with what is chosen: all causes, or one.
   diagnosis::Wrenches leftOver(bool after) const;
+  /// Of the chosen channel itself: what a delay or a filter shows best against.
+  static QString ownRate() { return QStringLiteral("own_rate"); }
+  QVector<double> twinCurve(const VectorXd& time, int channel, double scale) const;
   Chart frequencyChart(bool torque) const;
   Chart motionChart(bool after) const;
 
   std::shared_ptr<const DiagnosisReport> report_;
   std::vector<diagnosis::Witness> witnesses_;
+  std::shared_ptr<const Recording> twin_;
   bool secret_ = false;
+  bool zooms_ = true;
   View view_ = View::time;
   TimeAxis* axis_;
   Playback* playback_;

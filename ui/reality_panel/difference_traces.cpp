@@ -36,8 +36,10 @@ double DifferenceCurves::value(int curve, int at) const {
       return with[at];
     case 3:
       return measured[at] - without[at];
-    default:
+    case 4:
       return measured[at] - with[at];
+    default:
+      return clean.isEmpty() ? std::nan("") : curve == 5 ? clean[at] : measured[at] - clean[at];
   }
 }
 
@@ -87,12 +89,12 @@ std::array<double, 2> DifferenceTraces::rangeOf(std::initializer_list<int> curve
   return {low - pad, high + pad};
 }
 
-std::array<double, 2> DifferenceTraces::differenceRange() const { return rangeOf({3, 4}, 1.3 * curves_.noise); }
+std::array<double, 2> DifferenceTraces::differenceRange() const { return rangeOf({3, 4, 6}, 1.3 * curves_.noise); }
 
 std::array<DifferenceTraces::Lane, 2> DifferenceTraces::lanes() const {
   const double left = TimeAxis::kLeft, wide = std::max(20, width() - TimeAxis::kLeft - TimeAxis::kRight);
   const double high = std::max(40, height() - kTop - kGap - kTicks);
-  const auto upper = rangeOf({0, 1, 2}, 0.0), lower = differenceRange();
+  const auto upper = rangeOf({0, 1, 2, 5}, 0.0), lower = differenceRange();
   return {Lane{QRectF(left, kTop, wide, 0.5 * high), upper[0], upper[1]},
           Lane{QRectF(left, kTop + 0.5 * high + kGap, wide, 0.5 * high), lower[0], lower[1]}};
 }
@@ -224,11 +226,11 @@ void DifferenceTraces::drawPointer(QPainter& p, const std::array<Lane, 2>& lanes
   p.setPen(QPen(t.text3, 1, Qt::DotLine));
   p.drawLine(QPointF(pointer + 0.5, lanes[0].area.top()), QPointF(pointer + 0.5, lanes[1].area.bottom()));
   const int decimals = curves_.decimals;
-  const QString names[] = {tr("measured"), tr("without"), tr("with the causes"), tr("residual without"),
-                           tr("residual with")};
+  const QString names[] = {tr("measured"),      tr("without"),    tr("with the causes"), tr("residual without"),
+                           tr("residual with"), tr("clean twin"), tr("the fault alone")};
   QStringList left{axis_->poses() ? tr("pose") : tr("time")},
       right{axis_->poses() ? numberText(curves_.time[at], 0) : tr("%1 s").arg(numberText(curves_.time[at], 2))};
-  for (int c = 0; c < 5; ++c) {
+  for (int c = 0; c < 7; ++c) {
     const double v = curves_.value(c, at);
     if (!std::isfinite(v)) continue;
     left << names[c];
@@ -287,9 +289,11 @@ void DifferenceTraces::paintEvent(QPaintEvent*) {
   // Where the two agree, the measured curve covers the corrected simulation.
   drawCurve(p, upper, 2, QPen(t.accent, 3.4));
   drawCurve(p, upper, 1, dashed);
+  drawCurve(p, upper, 5, QPen(t.good, 1.6));
   drawCurve(p, upper, 0, QPen(t.text, 1.4));
   drawCurve(p, lower, 3, dashed);
   drawCurve(p, lower, 4, QPen(t.accent, 1.6));
+  drawCurve(p, lower, 6, QPen(t.good, 1.6));
   drawDelay(p, upper);
   p.setFont(uiFont(type::kTick));
   p.setPen(t.text2);

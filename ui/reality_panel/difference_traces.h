@@ -14,11 +14,13 @@ namespace heft {
 struct DifferenceCurves {
   QVector<double> time;                     ///< [s], rising
   QVector<double> measured, without, with;  ///< [unit]
+  QVector<double> clean;                    ///< [unit] Of the recording without its fault; may be empty
   double noise = 0.0;                       ///< Half height of the noise band: two deviations of the sensor
   double delay = 0.0;                       ///< [s] How much the readings lag behind the motion; 0: not drawn
   QString channel, unit;                    ///< "force x", "N"
   int decimals = 3;                         ///< Of the numbers at the pointer
-  double value(int curve, int at) const;    ///< 0 measured, 1 without, 2 with, 3 and 4 the residuals of these two
+  /// 0 measured, 1 without, 2 with, 3 and 4 the residuals of these two, 5 clean, 6 measured − clean
+  double value(int curve, int at) const;
 };
 
 class TimeMouse;

@@ -46,6 +46,15 @@ std::optional<std::uint64_t> practiceSeed(const QString& path) {
 
 namespace {
 
+void addTwin(QVBoxLayout* column, QWidget* parent, const RealityFindings::Found& found, const RiddleActions& does) {
+  auto* twin = new QPushButton(
+      found.twin ? PracticeWords::tr("Hide the clean twin") : PracticeWords::tr("Show the clean twin"), parent);
+  twin->setObjectName("showTwin");
+  twin->setToolTip(PracticeWords::tr("The same tool and motion without the fault, beside the recording in the curves"));
+  QObject::connect(twin, &QPushButton::clicked, parent, [wanted = does.twinWanted] { wanted(); });
+  column->addWidget(twin, 0, Qt::AlignLeft);
+}
+
 /// What may be known of the riddle before it is solved.
 void addHint(QVBoxLayout* column, QWidget* parent, const std::string& truth, const RealityFindings::Found& found,
              const RiddleActions& does) {
@@ -76,6 +85,8 @@ void addHint(QVBoxLayout* column, QWidget* parent, const std::string& truth, con
     ask->setObjectName("hintWanted");
     QObject::connect(ask, &QPushButton::clicked, parent, [wanted = does.hintWanted] { wanted(); });
     hint.layout->addWidget(ask, 0, Qt::AlignLeft);
+  } else {
+    addTwin(hint.layout, hint.frame, found, does);
   }
   column->addWidget(hint.frame);
 }
@@ -110,7 +121,7 @@ void addGuesses(QVBoxLayout* column, QWidget* parent, const std::string& truth, 
 }
 
 void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth, const RealityFindings::Found& found,
-                 const RealityFindings::Score& score, const std::function<void()>& another) {
+                 const RealityFindings::Score& score, const RiddleActions& does) {
   const std::string& guess = found.guess;
   const bool right = truth == guess;
   const Card card = makeCard(right ? "card" : "cardLook", parent);
@@ -135,9 +146,10 @@ void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth,
                    "caption", card.frame);
   points->setProperty("role", "score");
   card.layout->addWidget(points);
+  addTwin(card.layout, card.frame, found, does);
   auto* next = new QPushButton(PracticeWords::tr("Next exercise"), card.frame);
   next->setObjectName("anotherRiddle");
-  QObject::connect(next, &QPushButton::clicked, parent, [another] { another(); });
+  QObject::connect(next, &QPushButton::clicked, parent, [another = does.another] { another(); });
   card.layout->addWidget(next, 0, Qt::AlignLeft);
   column->addWidget(card.frame);
 }

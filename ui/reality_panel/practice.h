@@ -23,13 +23,14 @@ std::optional<std::uint64_t> practiceSeed(const QString& path);
 /// (`found.tried`) is mentioned, and the user can give up.
 struct RiddleActions {
   std::function<void(std::string)> guessed;
-  std::function<void()> hintWanted, gaveUp;
+  std::function<void()> hintWanted, gaveUp, another;
+  std::function<void()> twinWanted;  ///< Show what the recording would be without the fault, or hide it.
 };
 void addGuesses(QVBoxLayout* column, QWidget* parent, const std::string& truth, const RealityFindings::Found& found,
                 const RiddleActions& does);
 
 /// What was right about the guess, how to see it next time, and how many were found so far.
 void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth, const RealityFindings::Found& found,
-                 const RealityFindings::Score& score, const std::function<void()>& another);
+                 const RealityFindings::Score& score, const RiddleActions& does);
 
 }  // namespace heft

@@ -90,6 +90,7 @@ RealityPanel::RealityPanel(const StudioParts& parts)
       found_(findings_->found),
       files_(parts, findings_, this) {
   parts.followJobs(&jobs_);
+  if (parts.plots) pane_->setZooms(false);  // Until the step is entered
   panes_->addWidget(pane_);
   panes_->addWidget(whatIf_->pane());
   connect(whatIf_, &WhatIfKnobs::changed, this, &RealityPanel::refresh);
@@ -100,7 +101,12 @@ RealityPanel::RealityPanel(const StudioParts& parts)
     connect(motion_, &DecidingMotion::failed, this,
             [this](const QString& sentence) { this->parts().say(Severity::warning, sentence); });
   }
-  connect(&jobs_, &JobRunner::progressed, this, [this](double fraction, const QString&) {
+  connect(&jobs_, &JobRunner::started, this, [this] {
+    stage_.clear();
+    since_.start();
+  });
+  connect(&jobs_, &JobRunner::progressed, this, [this](double fraction, const QString& what) {
+    stage_ = what;
     if (bar_) bar_->setValue(static_cast<int>(1000 * fraction));
   });
   connect(pane_, &DifferencePane::closeWanted, this, [this] { look(false); });
@@ -194,6 +200,7 @@ void RealityPanel::changeEvent(QEvent* event) {
 
 void RealityPanel::left() {
   shown_ = false;
+  pane_->setZooms(false);
   markPull();
   if (motion_) motion_->hide();
   if (!parts().plots) return;
@@ -240,6 +247,7 @@ void RealityPanel::markPull() {
 void RealityPanel::entered() {
   shown_ = true;
   if (parts().plots) before_ = {parts().plots->timeAxis()->lower(), parts().plots->timeAxis()->upper()};
+  pane_->setZooms(true);
   markPull();
   if (workspace().opened() && !found() && !jobs_.running() && failure_.isEmpty()) diagnose();
 }
@@ -287,47 +295,6 @@ void RealityPanel::diagnose() {
         QMetaObject::invokeMethod(this, &RealityPanel::refresh, Qt::QueuedConnection);
         findings_->tellChanged();
       });
-  refresh();
-}
-
-void RealityPanel::practise(std::uint64_t seed) {
-  const QString path = practiceFile(seed);
-  found_.remove(path);
-  jobs_.start(
-      tr("Making a recording to practise on"),
-      [seed, path](const Progress& progress) -> Result<bool> {
-        auto made = practiceRecording(seed, progress);
-        if (!made) return made.error();
-        QDir().mkpath(practiceFolder());
-        return writeRecording(made->recording, path.toStdString());
-      },
-      [this, path](Result<bool> result) {
-        if (!result) {
-          if (!result.error().cancelled) parts().say(Severity::error, QString::fromStdString(result.error().message));
-          return;
-        }
-        wanted_ = true;
-        workspace().open(path);
-        parts().goTo(Step::realityCheck);
-      });
-}
-
-void RealityPanel::guess(const std::string& cause) {
-  const auto opened = workspace().opened();
-  if (!opened || !practiceSeed(opened->path)) return;
-  Found& entry = found_[opened->path];
-  const bool right = cause == practiceEffect(*practiceSeed(opened->path)).id;
-  if (!right && entry.tried.empty()) {
-    entry.tried = cause;
-    return refresh();
-  }
-  RealityFindings::Score& score = findings_->score;
-  ++score.asked;
-  if (right) ++(entry.tried.empty() && !entry.hinted ? score.first : score.second);
-  entry.guess = cause;
-  entry.secret = false;
-  findings_->tellChanged();
-  if (!found() && !jobs_.running()) diagnose();
   refresh();
 }
 

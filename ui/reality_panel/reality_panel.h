@@ -1,6 +1,7 @@
 #pragma once
 // The step "Reality check": what the simulation gets wrong, one card a cause, applied and taken back one by one.
 #include <QColor>
+#include <QElapsedTimer>
 #include <QMap>
 #include <QSet>
 #include <memory>
@@ -25,6 +26,7 @@ class LessonGuide;
 class WhatIfKnobs;
 struct CardActions;
 struct OpenRecording;
+struct RiddleActions;
 
 class RealityPanel : public StepPanel {
   Q_OBJECT
@@ -49,6 +51,8 @@ class RealityPanel : public StepPanel {
   /// Makes a recording that hides one fault and opens it.
   void practise(std::uint64_t seed);
   void guess(const std::string& cause);
+  /// What the practice recording would be without its fault, in the curves; once more hides it.
+  void showTwin(const QString& path);
   void apply(const std::string& cause);
   void takeBack(const std::string& cause);
   std::shared_ptr<const DiagnosisReport> report() const;
@@ -83,6 +87,7 @@ class RealityPanel : public StepPanel {
   void arrange();
   void addCards(QVBoxLayout* column, const Found& found, bool& someNext);
   CardActions actions();
+  RiddleActions riddleActions(const QString& path);
 
   JobRunner jobs_;
   DifferencePane* pane_;
@@ -91,6 +96,8 @@ class RealityPanel : public StepPanel {
   QStackedWidget* panes_;             ///< The difference, or what the knobs do
   DecidingMotion* motion_ = nullptr;  ///< Null without a 3D view.
   QProgressBar* bar_ = nullptr;       ///< While looking; of the page.
+  QElapsedTimer since_;               ///< Since the search was started
+  QString stage_;                     ///< What it does now
   RealityFindings* findings_;
   QMap<QString, Found>& found_;
   RealityFiles files_;

@@ -3,15 +3,17 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QRandomGenerator>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <cmath>
 
 #include "core/simulation/practice.h"
 #include "ui/controller/diagnosis.h"
 #include "ui/controller/workspace.h"
+#include "ui/models/numbers.h"
 #include "ui/reality_cards/cause_card.h"
 #include "ui/reality_cards/cause_numbers.h"
 #include "ui/reality_cards/cause_words.h"
@@ -39,6 +41,18 @@ void RealityPanel::showWaiting() {
   bar_->setTextVisible(false);
   bar_->setAccessibleName(tr("Progress"));
   column->addWidget(bar_);
+  // In a long recording the bar stands for a while; this shows that the search goes on.
+  QLabel* stage = wrappedLabel({}, "caption", page()->content());
+  stage->setObjectName("searchStage");
+  column->addWidget(stage);
+  const auto tell = [this, stage] {
+    const QString seconds = numberText(std::floor(1e-3 * static_cast<double>(since_.elapsed())), 0);
+    stage->setText(stage_.isEmpty() ? tr("%1 s").arg(seconds) : tr("%1 · %2 s").arg(stage_, seconds));
+  };
+  tell();
+  auto* tick = new QTimer(stage);
+  connect(tick, &QTimer::timeout, stage, tell);
+  tick->start(500);
   column->addStretch(1);
   page()->setMainButton({});
   page()->setSecondButton(tr("Stop"), [this] {
@@ -75,6 +89,7 @@ void RealityPanel::refresh() {
   bar_ = nullptr;
   const auto opened = workspace().opened();
   const int position = page()->scrollPosition();
+  pane_->setTwin(opened && practiceSeed(opened->path) ? found_.value(opened->path).twin : nullptr);
   pane_->showReport(report(), witnesses(), riddle());
   panes_->setCurrentWidget(whatIf_->on() ? static_cast<QWidget*>(whatIf_->pane()) : pane_);
   arrange();
@@ -95,15 +110,8 @@ void RealityPanel::refresh() {
   } else if (riddle()) {
     QVBoxLayout* column = page()->restart(tr("What is wrong with this recording?"),
                                           tr("It contains one hidden fault. Inspect it, then guess."));
-    RiddleActions does;
-    does.guessed = [this](const std::string& id) { guess(id); };
-    does.hintWanted = [this, path = opened->path] {
-      found_[path].hinted = true;
-      refresh();
-    };
-    does.gaveUp = [this, path = opened->path] { guess(found_[path].tried); };
     addGuesses(column, page()->content(), practiceEffect(*practiceSeed(opened->path)).id, found_.value(opened->path),
-               does);
+               riddleActions(opened->path));
     column->addStretch(1);
     page()->setMainButton({});
     page()->setSecondButton(tr("What if …?"), [this] { whatIf_->setOn(true); });
@@ -226,7 +234,7 @@ void RealityPanel::showReport(const Found& found) {
   QWidget* content = page()->content();
   if (const auto seed = practiceSeed(workspace().opened()->path); seed && !found.guess.empty())
     addFeedback(column, content, practiceEffect(*seed).id, found, findings_->score,
-                [this] { practise(QRandomGenerator::global()->bounded(1u, 1000000u)); });
+                riddleActions(workspace().opened()->path));
   if (outdated()) {
     const Card card = makeCard("cardLook", content);
     card.layout->addWidget(wrappedLabel(tr("The marks have changed since the last check."), "body", card.frame));

@@ -115,6 +115,9 @@ QString resultPart(Workspace& workspace, const EstimateReport& report) {
   }
   QString details;
   for (const DetailText& d : text.details) details += row({d.name, d.value});
+  const QString frames[] = {Words::tr("%1 (sensor)"), Words::tr("%1 (flange)")};
+  for (std::size_t k = 0; k < text.frames.size(); ++k)
+    for (const DetailText& d : text.frames[k]) details += row({frames[k].arg(d.name), d.value});
   out += QStringLiteral("<h3>%1</h3>\n").arg(escaped(Words::tr("Details"))) + table(details);
   if (!text.findings.empty()) {
     out += QStringLiteral("<h3>%1</h3>\n<ul>").arg(escaped(Words::tr("Notes")));

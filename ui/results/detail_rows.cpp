@@ -22,9 +22,18 @@ void addDetailRows(QVBoxLayout* column, const std::vector<DetailText>& rows, QWi
     value->setWordWrap(true);
     name->setToolTip(detail.tip);
     value->setToolTip(detail.tip);
-    grid->addWidget(name, r, 0);
-    grid->addWidget(value, r, 1);
-    ++r;
+    constexpr int kMostLines = 2;  // Beside the name; more stand below it in its whole width.
+    if (detail.value.count(QLatin1Char('\n')) < kMostLines) {
+      name->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+      grid->addWidget(name, r, 0);
+      grid->addWidget(value, r++, 1);
+    } else {
+      value->setAlignment(Qt::AlignLeft);
+      value->setObjectName("caption");
+      value->setContentsMargins(12, 0, 0, 0);
+      grid->addWidget(name, r++, 0, 1, 2);
+      grid->addWidget(value, r++, 0, 1, 2);
+    }
   }
   column->addLayout(grid);
 }

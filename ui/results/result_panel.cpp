@@ -1,8 +1,6 @@
 #include "ui/results/result_panel.h"
 
-#include <QClipboard>
 #include <QGridLayout>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -12,6 +10,7 @@
 
 #include "ui/models/glossary.h"
 #include "ui/results/detail_rows.h"
+#include "ui/results/detail_section.h"
 #include "ui/results/mass_scale.h"
 #include "ui/results/share_rows.h"
 #include "ui/widgets/basics.h"
@@ -130,7 +129,7 @@ void ResultPanel::showResult(const ResultText& result) {
   if (!result.advice.isEmpty() && !result.withheld) addAdvice(column, result.advice);
   if (!later.empty()) addFindings(column, later);
   if (details_) {
-    addDetails(column, result.details);
+    addDetailSection(column, content, result, frame_, [this](int frame) { frame_ = frame; });
     if (!calm.empty()) addFindings(column, calm);
   } else if (!calm.empty()) {
     column->addWidget(wrappedLabel(
@@ -326,16 +325,17 @@ void ResultPanel::addAdvice(QVBoxLayout* column, const QString& advice) {
   const Card card = makeCard("cardSuggested", content);
   auto* row = new QHBoxLayout;
   row->setSpacing(12);
-  row->addWidget(new IconLabel("bulb", 20, content), 0, Qt::AlignVCenter);
+  row->addWidget(new IconLabel("bulb", 20, content), 0, Qt::AlignTop);
   auto* words = new QVBoxLayout;
   words->setSpacing(2);
   words->addWidget(styledLabel(tr("How to improve it"), "sectionTitle", content));
   words->addWidget(wrappedLabel(advice, "advice", content));
-  row->addLayout(words, 1);
   auto* record = new QPushButton(tr("Record this motion"), content);
   record->setObjectName("smallButton");
   connect(record, &QPushButton::clicked, this, &ResultPanel::recordWanted);
-  row->addWidget(record);
+  words->addSpacing(4);
+  words->addWidget(record, 0, Qt::AlignLeft);
+  row->addLayout(words, 1);
   card.layout->addLayout(row);
   column->addWidget(card.frame);
 }
@@ -377,24 +377,6 @@ void ResultPanel::addKnown(QVBoxLayout* column, const std::vector<DetailText>& k
   enter->setProperty("role", "known");
   connect(enter, &QPushButton::clicked, this, &ResultPanel::knownWanted);
   column->addWidget(enter, 0, Qt::AlignLeft);
-}
-
-void ResultPanel::addDetails(QVBoxLayout* column, const std::vector<DetailText>& details) {
-  column->addSpacing(4);
-  QLabel* title = styledLabel(tr("Details"), "sectionTitle", content());
-  title->setProperty("role", "details");
-  column->addWidget(title);
-  addDetailRows(column, details, content());
-  auto* copy = new QPushButton(tr("Copy the details"), content());
-  copy->setObjectName("copyDetails");
-  copy->setToolTip(tr("As a table, for a spreadsheet or a message"));
-  connect(copy, &QPushButton::clicked, this, [details] {
-    QStringList lines;
-    for (const DetailText& detail : details)
-      lines << detail.name + QChar('\t') + QString(detail.value).replace('\n', QStringLiteral("\n\t"));
-    QGuiApplication::clipboard()->setText(lines.join('\n'));
-  });
-  column->addWidget(copy, 0, Qt::AlignLeft);
 }
 
 void ResultPanel::setDetailsShown(bool shown) {

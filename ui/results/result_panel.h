@@ -47,10 +47,10 @@ class ResultPanel : public PanelPage {
   void addAdvice(QVBoxLayout* column, const QString& advice);
   void addShares(QVBoxLayout* column, const std::vector<ShareText>& shares);
   void addKnown(QVBoxLayout* column, const std::vector<DetailText>& known);
-  void addDetails(QVBoxLayout* column, const std::vector<DetailText>& details);
 
   std::function<void(QVBoxLayout*, QWidget*)> further_;
   bool details_ = false;
+  int frame_ = 0;                ///< In which the details are stated, as in ResultText::frames
   std::function<void()> again_;  ///< Rebuilds the page after "Details" was switched.
 };
 

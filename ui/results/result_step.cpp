@@ -2,11 +2,7 @@
 
 #include <QAction>
 #include <QFileInfo>
-#include <QLayout>
 #include <QMenu>
-#include <QScrollArea>
-#include <QTimer>
-#include <QVariant>
 #include <algorithm>
 
 #include "core/estimation/comparison.h"
@@ -38,7 +34,7 @@ ResultStep::ResultStep(const StudioParts& parts)
     object_->addTo(column, content);
   });
   connect(object_, &ObjectCard::changed, this, &ResultStep::refresh);
-  connect(object_, &ObjectCard::answered, this, [this] { reveal("object"); });
+  connect(object_, &ObjectCard::answered, this, [this] { panel_->reveal("object"); });
   connect(panel_, &ResultPanel::objectWanted, this, &ResultStep::weighObject);
   connect(entry_, &EntryCard::changed, this, &ResultStep::refresh);
   connect(panel_, &ResultPanel::recordWanted, this, [this] { this->parts().goTo(Step::record); });
@@ -128,7 +124,7 @@ void ResultStep::addActions(const StudioMenus& menus) {
   menus.tools->addAction(tr("Something carried: compare &without it …"), this, [this] {
     parts().goTo(Step::result);
     object_->askMinus();
-    reveal("object");
+    panel_->reveal("object");
   });
 }
 
@@ -155,25 +151,12 @@ void ResultStep::left() { entry_->setShown(false); }
 void ResultStep::setDetailsShown(bool shown) {
   const bool opens = shown && !panel_->detailsShown();
   panel_->setDetailsShown(shown);
-  if (opens) reveal("details");
+  if (opens) panel_->reveal("details");
 }
 
 void ResultStep::weighObject() {
   object_->findPickedUp();
-  reveal("object");
-}
-
-void ResultStep::reveal(const char* role) {
-  // The page has no places for its parts until it is laid out.
-  QTimer::singleShot(0, this, [this, role = QString(role)] {
-    auto* scroll = panel_->findChild<QScrollArea*>();
-    for (QWidget* part : panel_->content()->findChildren<QWidget*>()) {
-      if (!scroll || part->property("role").toString() != role || part->isHidden()) continue;
-      panel_->content()->layout()->activate();
-      const int below = part->mapTo(panel_->content(), QPoint()).y();
-      return panel_->setScrollPosition(std::max(0, below - 12));
-    }
-  });
+  panel_->reveal("object");
 }
 
 void ResultStep::refresh() {

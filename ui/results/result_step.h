@@ -33,8 +33,6 @@ class ResultStep : public StepPanel {
 
  private:
   void refresh();
-  /// Scrolls to what has this role, once it stands where it belongs.
-  void reveal(const char* role);
   void weighObject();
   void endComparison();
   void askKnown();

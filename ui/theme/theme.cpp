@@ -8,6 +8,8 @@
 #include <QStyleFactory>
 #include <utility>
 
+#include "ui/theme/icons.h"
+
 static void initialiseResources() { Q_INIT_RESOURCE(heft); }
 
 namespace heft {
@@ -61,6 +63,57 @@ class StudioStyle : public QProxyStyle {
     if (hint == SH_UnderlineShortcut) return 0;
     return QProxyStyle::styleHint(hint, option, widget, data);
   }
+  /// What Qt's own dialogs show, as the rest of the window is drawn.
+  QIcon standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const override {
+    const Theme& t = theme();
+    const auto light = [](const char* name, const QColor& colour) {
+      QIcon icon;
+      for (const qreal ratio : {1.0, 2.0}) icon.addPixmap(iconPixmap(name, kLarge, colour, theme().panel, ratio));
+      return icon;
+    };
+    switch (which) {
+      case SP_MessageBoxQuestion:
+        return light("light_unknown", t.accent);
+      case SP_MessageBoxInformation:
+        return light("info", t.text2);
+      case SP_MessageBoxWarning:
+        return light("light_look", t.look);
+      case SP_MessageBoxCritical:
+        return light("light_not_possible", t.bad);
+      default:
+        break;
+    }
+    static const std::pair<StandardPixmap, const char*> kDrawn[] = {{SP_ArrowBack, "back"},
+                                                                    {SP_ArrowLeft, "back"},
+                                                                    {SP_ArrowForward, "forward"},
+                                                                    {SP_ArrowRight, "forward"},
+                                                                    {SP_FileDialogBack, "back"},
+                                                                    {SP_FileDialogToParent, "up"},
+                                                                    {SP_ArrowUp, "up"},
+                                                                    {SP_FileDialogNewFolder, "plus"},
+                                                                    {SP_FileDialogDetailedView, "table"},
+                                                                    {SP_FileDialogListView, "list"},
+                                                                    {SP_FileDialogContentsView, "list"},
+                                                                    {SP_FileDialogInfoView, "info"},
+                                                                    {SP_DirIcon, "folder"},
+                                                                    {SP_DirClosedIcon, "folder"},
+                                                                    {SP_DirOpenIcon, "open"},
+                                                                    {SP_DirLinkIcon, "folder"},
+                                                                    {SP_DirHomeIcon, "home"},
+                                                                    {SP_DesktopIcon, "home"},
+                                                                    {SP_ComputerIcon, "drive"},
+                                                                    {SP_DriveHDIcon, "drive"},
+                                                                    {SP_DriveNetIcon, "drive"},
+                                                                    {SP_FileIcon, "file"},
+                                                                    {SP_FileLinkIcon, "file"},
+                                                                    {SP_DialogCloseButton, "close"}};
+    for (const auto& [standard, name] : kDrawn)
+      if (standard == which) return themedIcon(name);
+    return QProxyStyle::standardIcon(which, option, widget);
+  }
+
+ private:
+  static constexpr int kLarge = 32;  ///< [px] Of a message box
 };
 
 /// The style sheet names colours by token (@panel); longer names first, so that @accentTint is not read as @accent.

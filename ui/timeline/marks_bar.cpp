@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "ui/models/numbers.h"
+#include "ui/theme/icons.h"
 #include "ui/theme/theme.h"
 
 namespace heft {
@@ -217,25 +218,38 @@ void MarksBar::paintSegment(QPainter& painter, const QRectF& bar, std::size_t in
     painter.setBrush(colour);
     painter.drawRoundedRect(block, 3, 3);
   }
-  const QRectF shown = block.intersected(bar);
-  const QString word = suggested ? markWord(segment.label) + QLatin1Char('?') : markWord(segment.label);
-  const double wide = painter.fontMetrics().horizontalAdvance(word);
-  const QString text = wide + 10 < shown.width()         ? word
-                       : suggested && shown.width() > 14 ? QStringLiteral("?")
-                       : shown.width() > 26
-                           ? painter.fontMetrics().elidedText(word, Qt::ElideRight, static_cast<int>(shown.width()) - 4)
-                           : QString();
-  if (text.isEmpty()) return;
-  if (suggested) {
-    const double half = painter.fontMetrics().horizontalAdvance(text) / 2.0 + 4;
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(t.panel);
-    painter.drawRoundedRect(QRectF(shown.center().x() - half, shown.top() + 3, 2 * half, shown.height() - 6), 3, 3);
-    painter.setPen(t.text);
-  } else {
-    painter.setPen(markTextColour(segment.label));
+  paintWord(painter, block.intersected(bar), segment.label, suggested);
+}
+
+/// "contact?", or where there is no room for it "contact" or its icon: never the colour alone.
+void MarksBar::paintWord(QPainter& painter, const QRectF& shown, MarkLabel label, bool suggested) const {
+  constexpr int kIcon = 14, kAround = 8;  // [px]
+  const QString word = markWord(label);
+  const auto wide = [&](const QString& text) { return painter.fontMetrics().horizontalAdvance(text); };
+  QString text = suggested ? word + QLatin1Char('?') : word;
+  bool icon = false;
+  if (wide(text) + kAround > shown.width() && suggested) text = word;
+  if (wide(text) + kAround > shown.width() && label != MarkLabel::free) {
+    icon = true;
+    text = suggested ? QStringLiteral("?") : QString();
+    if (kIcon + wide(text) + kAround > shown.width()) text.clear();
   }
-  painter.drawText(shown, Qt::AlignCenter, text);
+  const double needed = (icon ? kIcon : 0) + wide(text);
+  if (needed + 4 > shown.width() || needed <= 0) return;
+  const QColor colour = suggested ? theme().text : markTextColour(label);
+  if (suggested) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme().panel);
+    painter.drawRoundedRect(
+        QRectF(shown.center().x() - needed / 2 - 3, shown.top() + 3, needed + 6, shown.height() - 6), 3, 3);
+  }
+  const QRectF place(shown.center().x() - needed / 2, shown.top(), needed, shown.height());
+  if (icon)
+    painter.drawPixmap(QRectF(place.left(), place.center().y() - kIcon / 2.0, kIcon, kIcon).toRect(),
+                       iconPixmap(label == MarkLabel::contact ? "contact" : "hand", kIcon, colour, theme().panel,
+                                  devicePixelRatioF()));
+  painter.setPen(colour);
+  painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter, text);
 }
 
 void MarksBar::paintTicks(QPainter& painter, const QRectF& bar) const {

@@ -58,6 +58,7 @@ class MarksBar : public QWidget {
   /// Index of the segment whose end is under x, or -1.
   int edgeAt(int x) const;
   void paintSegment(QPainter& painter, const QRectF& bar, std::size_t index) const;
+  void paintWord(QPainter& painter, const QRectF& shown, MarkLabel label, bool suggested) const;
   void paintTicks(QPainter& painter, const QRectF& bar) const;
   void finishStroke();
 

@@ -65,7 +65,9 @@ void TimeCursor::paintEvent(QPaintEvent*) {
   const double labelWidth = painter.fontMetrics().horizontalAdvance(text) + 20;
   double left = x + 8;
   if (left + labelWidth > width() - 4) left = x - 8 - labelWidth;
-  const QRectF label(left, 5, labelWidth, 20);
+  // Where the marks bar stands alone, its words stay free.
+  constexpr int kHigh = 20, kLow = 80;  // [px]
+  const QRectF label(left, height() < kLow ? height() - kHigh : 5, labelWidth, kHigh);
   painter.setPen(Qt::NoPen);
   painter.setBrush(t.text);
   painter.drawRoundedRect(label, 4, 4);

@@ -9,6 +9,7 @@
 #include <QScrollBar>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <QVariant>
 #include <algorithm>
 
 #include "ui/theme/icons.h"
@@ -274,6 +275,18 @@ void PanelPage::refreshIcons() {
 int PanelPage::scrollPosition() const { return scroll_->verticalScrollBar()->value(); }
 
 void PanelPage::setScrollPosition(int position) { scroll_->verticalScrollBar()->setValue(position); }
+
+void PanelPage::reveal(const char* role) {
+  // The page has no places for its parts until it is laid out.
+  QTimer::singleShot(0, this, [this, role = QString(role)] {
+    if (!content()) return;
+    for (QWidget* part : content()->findChildren<QWidget*>()) {
+      if (part->property("role").toString() != role || part->isHidden()) continue;
+      content()->layout()->activate();
+      return setScrollPosition(std::max(0, part->mapTo(content(), QPoint()).y() - 12));
+    }
+  });
+}
 
 void PanelPage::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);

@@ -36,6 +36,8 @@ class PanelPage : public QWidget {
 
   int scrollPosition() const;
   void setScrollPosition(int position);
+  /// Scrolls to the part with this property "role", once the page is laid out.
+  void reveal(const char* role);
 
  protected:
   void changeEvent(QEvent* event) override;

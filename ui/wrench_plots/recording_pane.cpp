@@ -127,13 +127,6 @@ void RecordingPane::addLegend(QHBoxLayout* row) {
 }
 
 void RecordingPane::addButtons(QHBoxLayout* row) {
-  paint_ = new QPushButton(tr("Paint"), header_);
-  paint_->setObjectName("paintButton");
-  paint_->setCheckable(true);
-  paint_->setToolTip(tr("Drag in the plots to label a range instead of zooming"));
-  paint_->hide();
-  row->addWidget(paint_);
-  row->addSpacing(6);
   measure_ = new IconButton("cursors", tr("Measure between two cursors (Ctrl+click sets the second)"), header_);
   measure_->setObjectName("measureButton");
   measure_->setCheckable(true);
@@ -159,7 +152,7 @@ void RecordingPane::addButtons(QHBoxLayout* row) {
   menu->addAction(tr("Export visible range as CSV"), this, &RecordingPane::csvWanted);
   more->setMenu(menu);
   row->addWidget(more);
-  // Beside the legend and "Paint" there is little room on a small screen.
+  // Beside the legend there is little room on a small screen.
   constexpr int kNarrow = 28;  // [px]
   for (auto* button : {measure_, channelButton_, all, alone, more}) button->setFixedWidth(kNarrow);
 }
@@ -205,7 +198,6 @@ void RecordingPane::connectParts() {
     difference_->setSecond(time);
     plots_->setSecondCursor(difference_->second());
   });
-  connect(paint_, &QPushButton::toggled, this, [this] { setBrush(brush_); });
 }
 
 void RecordingPane::fillChannelMenu() {
@@ -234,11 +226,10 @@ void RecordingPane::fillChannelMenu() {
   menu->addAction(tr("None"), this, [this] { channels_->setChosen({}); });
 }
 
-void RecordingPane::setBrush(std::optional<MarkLabel> brush) {
+void RecordingPane::setBrush(std::optional<MarkLabel> brush, bool inPlots) {
   brush_ = brush;
-  paint_->setVisible(brush.has_value());
   marks_->setBrush(brush);
-  plots_->setBrush(paint_->isChecked() ? brush : std::nullopt);
+  plots_->setBrush(inPlots ? brush : std::nullopt);
 }
 
 void RecordingPane::highlight(double from, double to, const QString& word) {

@@ -13,7 +13,6 @@
 #include "ui/wrench_plots/wrench_traces.h"
 
 class QHBoxLayout;
-class QPushButton;
 
 namespace heft {
 
@@ -49,8 +48,8 @@ class RecordingPane : public QWidget {
   /// Zooms to a segment with some margin and frames it under this word; an empty one removes the frame.
   void highlight(double from, double to, const QString& word);
 
-  /// With a brush the marks bar is painted by dragging, and the plots while "Paint" is pressed. Nothing: no painting.
-  void setBrush(std::optional<MarkLabel> brush);
+  /// With a brush the marks bar is painted by dragging and, if so chosen, the plots. Nothing: no painting.
+  void setBrush(std::optional<MarkLabel> brush, bool inPlots = false);
 
   /// Folded, only the marks bar stands there, under a line that unfolds it.
   void setFolded(bool folded);
@@ -97,7 +96,6 @@ class RecordingPane : public QWidget {
   TimeCursor* cursor_;
   QWidget* header_;
   QWidget* foldedHeader_;
-  QPushButton* paint_;
   IconButton* measure_;
   IconButton* channelButton_;
   DifferenceCursor* difference_;

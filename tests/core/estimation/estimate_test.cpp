@@ -39,6 +39,23 @@ TEST(Estimate, FullExcitationGivesEverything) {
   EXPECT_LT(report.heldoutForceRms, 1.2 * report.forceRms);
 }
 
+TEST(Estimate, CorrelationsAreThoseOfTheStatedNumbers) {
+  Matrix10d covariance = Matrix10d::Zero();
+  covariance.topLeftCorner<2, 2>() << 4.0, -3.0, -3.0, 9.0;
+  const Matrix10d correlation = correlationFrom(covariance);
+  EXPECT_DOUBLE_EQ(correlation(0, 1), -0.5);
+  EXPECT_DOUBLE_EQ(correlation(5, 5), 1.0);
+  EXPECT_DOUBLE_EQ(correlation(0, 5), 0.0);
+  const auto report = reportOf(recordingOf(MotionKind::excitation, defaultPayload(), 3));
+  EXPECT_TRUE(report.correlation.isApprox(report.correlation.transpose()));
+  EXPECT_DOUBLE_EQ(report.correlation(3, 3), 1.0);
+  EXPECT_LE(report.correlation.cwiseAbs().maxCoeff(), 1.0);
+  EXPECT_GT((report.correlation - Matrix10d::Identity()).cwiseAbs().maxCoeff(), 0.01);
+  ASSERT_EQ(report.identifiability.singularValues.size(), 10);
+  EXPECT_DOUBLE_EQ(report.identifiability.singularValues(0) / report.identifiability.singularValues(9),
+                   report.identifiability.conditionNumber);
+}
+
 TEST(Estimate, EveryMethodWorksOnARecording) {
   const Payload truth = defaultPayload();
   const Recording recording = recordingOf(MotionKind::excitation, truth, 2);
