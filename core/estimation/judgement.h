@@ -33,6 +33,12 @@ struct Unseen {
 };
 Unseen unseenOver(const Prepared& prepared, const std::function<const SolverSolution&(Eigen::Index block)>& solutionOf);
 
+/// Says where values that the user knows lie far outside the intervals of what was measured.
+void compareWithKnown(const PartialPayload& known, EstimateReport& report);
+
+/// What a finding doubts is not called measured. Comes after every finding that may doubt.
+void doubtLabels(EstimateReport& report);
+
 /// Says where a rigid tool does not explain the data, in numbers that need no statistics.
 void judgeFit(const Prepared& prepared, const Residuals& heldout, const Unseen& unseen, EstimateReport& report);
 

@@ -114,7 +114,7 @@ NoTrust whyNone(const EstimateReport& report, const Unseen& unseen) {
 void withhold(EstimateReport& report) {
   Identifiability& id = report.identifiability;
   const auto lower = [](Source& source) {
-    if (source == Source::data) source = Source::none;
+    if (source == Source::data || source == Source::doubted) source = Source::none;
   };
   lower(id.mass);
   for (Source& source : id.com) lower(source);
@@ -196,11 +196,26 @@ void loseTrust(EstimateReport& report, const NoTrust& why) {
   report.findings.push_back({Severity::warning, "no_trust", why.what, why.next, {}});
 }
 
+void doubtLabels(EstimateReport& report) {
+  unsigned doubted = kNoNumber;
+  for (const Finding& finding : report.findings) {
+    const bool ofTorques = finding.code == "misfit" && !report.forcesMisfit;
+    doubted |= doubtedBy(finding.severity, finding.code) & (ofTorques ? ~kMass : kAllNumbers);
+  }
+  if (doubted != kNoNumber && report.trust == Trust::good) report.trust = Trust::low;
+  const auto doubt = [&](Numbers kind, Source& source) {
+    if ((doubted & kind) != 0 && source == Source::data) source = Source::doubted;
+  };
+  Identifiability& id = report.identifiability;
+  doubt(kMass, id.mass);
+  for (Source& source : id.com) doubt(kCentre, source);
+  for (auto& row : id.inertia)
+    for (Source& source : row) doubt(kInertia, source);
+}
+
 void addReadingFindings(const Findings& read, EstimateReport& report) {
   report.findings.insert(report.findings.begin(), read.begin(), read.end());
-  if (report.trust == Trust::good &&
-      std::ranges::any_of(read, [](const Finding& f) { return doubtsNumbers(f.severity, f.code); }))
-    report.trust = Trust::low;
+  doubtLabels(report);
 }
 
 void judgeTrust(const Unseen& unseen, EstimateReport& report) {
@@ -235,6 +250,7 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
          said.decides,
          {}});
   report.findings.insert(report.findings.end(), said.cautions.begin(), said.cautions.end());
+  report.forcesMisfit = report.forcesMisfit || unseen.force > conventions::kFits;
   if (unseen.worst() > conventions::kFits && !warned(report.findings, {"misfit"}))
     report.findings.push_back(
         {Severity::warning,
@@ -244,8 +260,7 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
                    100.0 * unseen.force, 100.0 * unseen.torque),
          heft::say("Trust is low: the true values may lie outside the intervals. Look where the residual is large."),
          {}});
-  if (std::ranges::any_of(report.findings, [](const Finding& f) { return doubtsNumbers(f.severity, f.code); }))
-    report.trust = Trust::low;
+  doubtLabels(report);
 }
 
 }  // namespace heft

@@ -2426,6 +2426,18 @@ Bitte prüfen Sie den Namen.</translation>
         <source>%1 %2 off the centre that the recording states</source>
         <translation>%1 %2 vom Schwerpunkt, den die Aufnahme nennt</translation>
     </message>
+    <message>
+        <source>%1 are doubtful</source>
+        <translation>%1 sind zweifelhaft</translation>
+    </message>
+    <message>
+        <source>%1 is doubtful</source>
+        <translation>%1 ist zweifelhaft</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
+    </message>
 </context>
 <context>
     <name>RobotChoice</name>
@@ -9686,6 +9698,22 @@ Bitte prüfen Sie den Namen.</translation>
         <source>No change beyond the measurement uncertainty.</source>
         <translation>Keine Veränderung über die Messunsicherheit hinaus.</translation>
     </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
+    </message>
+    <message>
+        <source>The object seems to weigh {:.3f} kg.</source>
+        <translation>Das Objekt scheint {:.3f} kg zu wiegen.</translation>
+    </message>
+    <message>
+        <source>The estimated centre of mass is {:.0f} mm off the known one, far outside its interval.</source>
+        <translation>Der bestimmte Schwerpunkt weicht um {:.0f} mm vom bekannten ab, weit außerhalb seines Bereichs.</translation>
+    </message>
+    <message>
+        <source>The estimated inertia is {:.0f} % off the known one, far outside its interval.</source>
+        <translation>Die bestimmte Trägheit weicht um {:.0f} % von der bekannten ab, weit außerhalb ihres Bereichs.</translation>
+    </message>
 </context>
 <context>
     <name>heft::CarriedObjects</name>
@@ -12615,10 +12643,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::ResultPanel</name>
     <message>
-        <source>measured – see warnings</source>
-        <translation>gemessen, erst prüfen</translation>
-    </message>
-    <message>
         <source>What does your tool weigh?</source>
         <translation>Was wiegt Ihr Werkzeug?</translation>
     </message>
@@ -12745,6 +12769,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>As a table, for a spreadsheet or a message</source>
         <translation>Als Tabelle für eine Tabellenkalkulation oder eine Nachricht</translation>
+    </message>
+    <message>
+        <source>doubtful – see warnings</source>
+        <translation>zweifelhaft, erst prüfen</translation>
     </message>
 </context>
 <context>
