@@ -49,8 +49,8 @@ namespace {
 /// What is slow and strong in a channel's residual is no sensor noise: long memory shows it, and so does a residual far
 /// above its own scatter. Every channel is judged by its own noise; those that are not used are not counted.
 void sayMisfit(const Prepared& prepared, const Residuals& heldout, const Unseen& unseen, EstimateReport& report) {
-  constexpr double kStrong = 3.0;               // Times its scatter that a channel is missed
-  constexpr double kMemory = 8.0, kSlow = 1.3;  // Slow over fast noise, and times the scatter that this must be
+  constexpr double kStrong = 3.0;  // Times its scatter that a channel is missed
+  constexpr double kSlow = 1.3;    // Times the scatter that slow noise must be
   struct Missed {
     double times = 0.0;  // The scatter
     std::string words;
@@ -64,7 +64,7 @@ void sayMisfit(const Prepared& prepared, const Residuals& heldout, const Unseen&
     const double scatter = scatters(c);
     const double gain = prepared.noise.channels[i].gain();
     const bool strong = unseen.left(c) > kStrong * unseen.noise(c) && heldout.channels(c) > kStrong * scatter;
-    const bool slow = !(gain > 0.0 && gain <= kMemory) && heldout.channels(c) > kSlow * scatter;
+    const bool slow = !(gain > 0.0 && gain <= kMostMemory) && heldout.channels(c) > kSlow * scatter;
     if (!strong && !slow) continue;
     auto& kind = worst[c < 3 ? 0 : 1];
     others = others || kind.has_value();

@@ -98,6 +98,23 @@ TEST(Judgement, WhereForceAndTorqueDisagreeNothingIsMeasured) {
   }
 }
 
+/// A slow motion causes little, and slow noise of the sensor is a tenth of that: the intervals count it, no misfit.
+TEST(Judgement, SlowNoiseBesideASlowMotionIsNoMisfit) {
+  const Payload tool = test::boxPayload(0.8, {0.08, 0.1, 0.06}, {0.01, 0.0, 0.05});
+  SimulateOptions options;
+  options.motion = MotionKind::pickAndPlace;
+  options.speed = 0.4;
+  options.duration = 8.0;
+  for (options.seed = 1; options.seed <= 4; ++options.seed) {
+    const auto report = estimate(simulate(RobotModel::panda(), tool, options)->recording, &RobotModel::panda(), {});
+    ASSERT_TRUE(report.ok());
+    EXPECT_GT(report->unseenForceShare, 0.08) << options.seed;
+    EXPECT_EQ(found(*report, "misfit"), nullptr) << options.seed;
+    EXPECT_EQ(measured(*report), (std::array{true, true, true})) << options.seed;
+    EXPECT_LT(std::abs(report->payload.mass - tool.mass), 4.0 * report->std.mass) << options.seed;
+  }
+}
+
 TEST(Judgement, KnownValuesThatTheDataContradictAreSaid) {
   const Recording recording = heavyTool(10);
   EstimateOptions options;
