@@ -143,6 +143,7 @@ def main():
                               '{"bodies":[{"kind":"sphere","dims_m":[0.1],"xyz_m":[0,0,0],"rpy_rad":[0,0,0],"mass_kg":1},'
                               '{"kind":"mesh","file":"x.ply","unit":"mm"}],"certainty":"good","total_mass_kg":2}']):
         put("shape", f"shape{k}", text)
+        put("shape_points", f"shape{k}", text)
     put("payload", "full.json", '{"mass_kg":1,"com_m":[0,0,0.1],"inertia_com_kgm2":[[1e-3,0,0],[0,1e-3,0],[0,0,1e-3]]}')
     put("payload", "part.json", '{"payload":{"mass_kg":-1,"com_m":[1e400,0]}}')
     link = '<link name="{}"><inertial><origin xyz="0 0 0.1"/><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>'
