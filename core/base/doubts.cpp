@@ -2,31 +2,42 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace heft {
 
-bool doubtsNumbers(Severity severity, std::string_view code) {
-  constexpr std::array<std::string_view, 20> kDoubts{"misfit",
-                                                     "known_disagrees",
-                                                     "prior_contradicts_data",
-                                                     "shape_contradicts_data",
-                                                     "held_inside_shape",
-                                                     "contact_left_out",
-                                                     "not_physical",
-                                                     "payload_change",
-                                                     "conventions_tie",
-                                                     "centre_behind_sensor",
-                                                     "centre_far",
-                                                     "weight_large",
-                                                     "solver_not_usable",
-                                                     "robot_assumed",
-                                                     "no_trust",
-                                                     "nearly_tied",
-                                                     "sensor_turned",
-                                                     "force_and_torque",
-                                                     "turn_unsure",
-                                                     "low_trust_of_one"};
-  return severity != Severity::info && std::ranges::find(kDoubts, code) != kDoubts.end();
+unsigned doubtedBy(Severity severity, std::string_view code) {
+  // A turn of the sensor leaves the weight as it is.
+  constexpr std::array<std::pair<std::string_view, unsigned>, 26> kDoubts{
+      {{"misfit", kAllNumbers},
+       {"known_disagrees", kAllNumbers},
+       {"known_centre_disagrees", kCentre | kInertia},
+       {"known_inertia_disagrees", kInertia},
+       {"prior_contradicts_data", kAllNumbers},
+       {"shape_contradicts_data", kAllNumbers},
+       {"held_inside_shape", kAllNumbers},
+       {"contact_left_out", kAllNumbers},
+       {"not_physical", kInertia},
+       {"payload_change", kAllNumbers},
+       {"conventions_tie", kAllNumbers},
+       {"centre_behind_sensor", kCentre | kInertia},
+       {"centre_far", kAllNumbers},
+       {"weight_large", kAllNumbers},
+       {"solver_not_usable", kAllNumbers},
+       {"robot_assumed", kAllNumbers},
+       {"no_trust", kAllNumbers},
+       {"nearly_tied", kAllNumbers},
+       {"sensor_turned", kCentre | kInertia},
+       {"force_and_torque", kAllNumbers},
+       {"turn_unsure", kCentre | kInertia},
+       {"low_trust_of_one", kAllNumbers},
+       {"low_trust_with", kAllNumbers},
+       {"low_trust_without", kAllNumbers},
+       {"different_sensors", kAllNumbers},
+       {"different_gravity", kAllNumbers}}};
+  if (severity == Severity::info) return kNoNumber;
+  const auto* const found = std::ranges::find(kDoubts, code, &std::pair<std::string_view, unsigned>::first);
+  return found != kDoubts.end() ? found->second : kNoNumber;
 }
 
 }  // namespace heft

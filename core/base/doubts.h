@@ -7,7 +7,11 @@
 
 namespace heft {
 
-/// The finding of this code says that the numbers may be off by more than their intervals say.
-bool doubtsNumbers(Severity severity, std::string_view code);
+/// Kinds of numbers, as a sum.
+enum Numbers : unsigned { kNoNumber = 0, kMass = 1, kCentre = 2, kInertia = 4, kAllNumbers = 7 };
+
+/// Which numbers may be off by more than their intervals say, as the finding of this code has it.
+unsigned doubtedBy(Severity severity, std::string_view code);
+inline bool doubtsNumbers(Severity severity, std::string_view code) { return doubtedBy(severity, code) != kNoNumber; }
 
 }  // namespace heft

@@ -11,6 +11,7 @@ namespace heft {
 namespace {
 
 using nlohmann::json;
+using namespace nlohmann::literals;
 
 constexpr std::string_view kSchema = "heft.passport/1";
 constexpr double kBeyondInterval = 1.96;  // Standard deviations of a 95 % interval
@@ -58,16 +59,20 @@ std::vector<PassportNumber> passportNumbers(const json& passport) {
   const json &payload = passport.at("payload"), &interval = passport.at("interval95"),
              &known = passport.at("identifiability");
   std::vector<PassportNumber> out;
-  const auto add = [&](const char* quantity, const json& value, const json& range, const json& from) {
-    out.push_back({quantity, number(value), number(range.at(0)), number(range.at(1)), source(from)});
+  const auto add = [&](const char* quantity, const json& value, const json& range, const json& from,
+                       const json::json_pointer& place) {
+    const json doubted = known.value("/doubted"_json_pointer / place, json(false));
+    out.push_back({quantity, number(value), number(range.at(0)), number(range.at(1)),
+                   doubted == true ? Source::doubted : source(from)});
   };
-  add("mass_kg", payload.at("mass_kg"), interval.at("mass_kg"), known.at("mass"));
+  add("mass_kg", payload.at("mass_kg"), interval.at("mass_kg"), known.at("mass"), "/mass"_json_pointer);
   for (std::size_t i = 0; i < 3; ++i)
-    add(kQuantities[1 + i], payload.at("com_m").at(i), interval.at("com_m").at(i), known.at("com").at(i));
+    add(kQuantities[1 + i], payload.at("com_m").at(i), interval.at("com_m").at(i), known.at("com").at(i),
+        "/com"_json_pointer / i);
   for (const Place& p : kPlaces) {
     const auto r = static_cast<std::size_t>(p.row), c = static_cast<std::size_t>(p.column);
     add(p.quantity, payload.at("inertia_com_kgm2").at(r).at(c), interval.at("inertia_com_kgm2").at(r).at(c),
-        known.at("inertia").at(r).at(c));
+        known.at("inertia").at(r).at(c), "/inertia"_json_pointer / r / c);
   }
   return out;
 }

@@ -44,6 +44,8 @@ std::string sourceWords(Source source) {
   switch (source) {
     case Source::data:
       return heft::say("measured");
+    case Source::doubted:
+      return heft::say("doubtful");
     case Source::prior:
       return heft::say("from your shape");
     case Source::none:

@@ -188,6 +188,7 @@ Result<CarriedObject> estimateCarriedObject(const JointInput& with, const JointI
   }
   takeTrust(out.with, "low_trust_with", object);
   takeTrust(out.without, "low_trust_without", object);
+  doubtLabels(object);
   if (out.verdict == ObjectVerdict::negative && object.trust != Trust::none)
     loseTrust(object, {heft::say("The tool is {:.3f} kg lighter with the object than without it.", -out.difference(0)),
                        heft::say("Swap the two recordings, or check that both are of the same tool.")});

@@ -28,6 +28,7 @@ std::string objectHeadline(const CarriedObject& carried) {
   const bool com = std::ranges::all_of(id.com, [](Source s) { return s == Source::data; });
   bool inertia = true;
   for (std::size_t i = 0; i < 3; ++i) inertia = inertia && id.inertia[i][i] == Source::data;
+  if (object.trust == Trust::low) return heft::say("The object seems to weigh {:.3f} kg.", object.payload.mass);
   const std::string line = heft::say("The object weighs {:.3f} kg.", object.payload.mass);
   if (com && inertia) return line + " " + heft::say("Its mass, centre of mass and inertia are measured.");
   if (com)

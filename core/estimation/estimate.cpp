@@ -341,6 +341,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   fillSeries(prepared, solution.phi, solution.bias, report.series);
   report.noiseStd = scatterOf((report.series.measured - report.series.simulated).transpose());
   judgeFit(prepared, heldout, unseen, report);
+  compareWithKnown(known, report);
   addFindings(report);
   judgeTrust(unseen, report);
   compareWithConfigured(report);

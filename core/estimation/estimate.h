@@ -60,6 +60,7 @@ struct EstimateReport {
   Evidence evidence;
   double forceRms = 0, torqueRms = 0, heldoutForceRms = 0, heldoutTorqueRms = 0;  ///< [N], [N m], over the used parts
   double unseenForceShare = 0, unseenTorqueShare = 0;  ///< Held-out error beyond noise over what the motion made
+  bool forcesMisfit = false;             ///< Of a finding "misfit": it is about forces, too, not torques alone
   Vector6d noiseStd = Vector6d::Zero();  ///< The sensor's own scatter per channel, from one sample of `series` to the
                                          ///< next; what is slow in the residual is not in it [N], [N m]
   std::vector<Segment> segments;

@@ -92,6 +92,7 @@ std::string_view toString(Source source) {
       return "data";
     case Source::prior:
       return "prior";
+    case Source::doubted:
     case Source::none:
       return "none";
   }

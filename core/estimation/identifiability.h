@@ -14,10 +14,12 @@ namespace heft {
 
 /// Where a number comes from.
 enum class Source {
-  data,   ///< Measured: the data alone tell it.
-  prior,  ///< From the shape or values that the user gave.
-  none,   ///< Not known: a placeholder of plausible size with a wide interval.
+  data,     ///< Measured: the data alone tell it.
+  doubted,  ///< So, but a finding says that it may be off by more than its interval: not called measured.
+  prior,    ///< From the shape or values that the user gave.
+  none,     ///< Not known: a placeholder of plausible size with a wide interval.
 };
+/// "data", "prior" or "none"; what is doubted is no data, and listed beside (report.h).
 std::string_view toString(Source source);
 
 struct Identifiability {

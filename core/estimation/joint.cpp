@@ -186,6 +186,7 @@ void shareTrust(JointReport& out) {
            heft::say("Recording {} is not reliable, so neither are the numbers from all of them.", i + 1),
            heft::say("Look at its findings, or leave it out."),
            {}});
+      doubtLabels(result);
     }
   }
 }

@@ -49,8 +49,8 @@ namespace {
 /// What is slow and strong in a channel's residual is no sensor noise: long memory shows it, and so does a residual far
 /// above its own scatter. Every channel is judged by its own noise; those that are not used are not counted.
 void sayMisfit(const Prepared& prepared, const Residuals& heldout, const Unseen& unseen, EstimateReport& report) {
-  constexpr double kStrong = 3.0;               // Times its scatter that a channel is missed
-  constexpr double kMemory = 8.0, kSlow = 1.3;  // Slow over fast noise, and times the scatter that this must be
+  constexpr double kStrong = 3.0;  // Times its scatter that a channel is missed
+  constexpr double kSlow = 1.3;    // Times the scatter that slow noise must be
   struct Missed {
     double times = 0.0;  // The scatter
     std::string words;
@@ -64,7 +64,7 @@ void sayMisfit(const Prepared& prepared, const Residuals& heldout, const Unseen&
     const double scatter = scatters(c);
     const double gain = prepared.noise.channels[i].gain();
     const bool strong = unseen.left(c) > kStrong * unseen.noise(c) && heldout.channels(c) > kStrong * scatter;
-    const bool slow = !(gain > 0.0 && gain <= kMemory) && heldout.channels(c) > kSlow * scatter;
+    const bool slow = !(gain > 0.0 && gain <= kMostMemory) && heldout.channels(c) > kSlow * scatter;
     if (!strong && !slow) continue;
     auto& kind = worst[c < 3 ? 0 : 1];
     others = others || kind.has_value();
@@ -79,6 +79,7 @@ void sayMisfit(const Prepared& prepared, const Residuals& heldout, const Unseen&
   for (const auto& kind : worst)
     if (kind) missed.push_back(kind->words);
   if (missed.empty()) return;
+  report.forcesMisfit = report.forcesMisfit || worst[0].has_value();
   if (others) missed.push_back(heft::say("others by less"));
   report.findings.push_back(
       {Severity::warning,
@@ -151,17 +152,41 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, const Unseen& 
          heft::say("Your input disagrees with the measurement: {}.", joined(parts)),
          heft::say("Check that the values are for this tool and position, and the sensor's calibration. Trust is low."),
          {}});
+}
 
-  // Values that the user gave and the data contradict.
-  if (report.relativeError && report.relativeError->hasMass && report.identifiability.mass == Source::data &&
-      report.relativeError->mass > 0.03 && report.relativeError->mass * report.payload.mass > 4.0 * report.std.mass)
+void compareWithKnown(const PartialPayload& known, EstimateReport& report) {
+  constexpr double kFar = 4.0;  // Own standard deviations
+  constexpr double kMass = 0.03, kCentre = 0.003,
+                   kMoment = 0.1;  // Hardly anybody knows a tool better: relative, [m], relative
+  const auto warn = [&](const char* code, std::string text) {
     report.findings.push_back(
         {Severity::warning,
-         "known_disagrees",
-         heft::say("The estimated mass is {:.0f} % off the known one, far outside its interval.",
-                   100.0 * report.relativeError->mass),
+         code,
+         std::move(text),
          heft::say("Check that the known value is for this tool, and the sensor's calibration. Trust is low."),
          {}});
+  };
+  const auto& id = report.identifiability;
+  const double mass = known.mass && *known.mass > 0.0 ? std::abs(report.payload.mass - *known.mass) : 0.0;
+  if (known.mass && id.mass == Source::data && mass > kMass * *known.mass && mass > kFar * report.std.mass)
+    warn("known_disagrees", heft::say("The estimated mass is {:.0f} % off the known one, far outside its interval.",
+                                      100.0 * mass / *known.mass));
+  double centre = 0.0, moment = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double off = known.com ? std::abs(report.payload.com(i) - (*known.com)(i)) : 0.0;
+    if (id.com[k] == Source::data && off > kFar * report.std.com(i)) centre = std::max(centre, off);
+    const double away = known.inertiaCom ? std::abs(report.payload.inertiaCom(i, i) - (*known.inertiaCom)(i, i)) : 0.0;
+    if (id.inertia[k][k] == Source::data && away > kFar * report.std.inertiaCom(i, i))
+      moment = std::max(moment, away / known.inertiaCom->diagonal().maxCoeff());
+  }
+  if (centre > kCentre)
+    warn("known_centre_disagrees",
+         heft::say("The estimated centre of mass is {:.0f} mm off the known one, far outside its interval.",
+                   1e3 * centre));
+  if (moment > kMoment)
+    warn("known_inertia_disagrees",
+         heft::say("The estimated inertia is {:.0f} % off the known one, far outside its interval.", 100.0 * moment));
 }
 
 void addFindings(EstimateReport& report) {

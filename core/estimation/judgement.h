@@ -29,9 +29,20 @@ struct Unseen {
   Vector6d noise = Vector6d::Zero();  ///< Of averages over 80 ms, from how they scatter [N], [N m]
   Vector6d load = Vector6d::Zero();   ///< Standard deviation of the predicted wrench [N], [N m]
   double force = 0.0, torque = 0.0;   ///< The worst channel's `left` over the load of a channel of its kind
+  /// The same of channels where it is more than the noise that was learned, and that the intervals count, leaves.
+  double forceBeyond = 0.0, torqueBeyond = 0.0;
   double worst() const { return std::max(force, torque); }
 };
 Unseen unseenOver(const Prepared& prepared, const std::function<const SolverSolution&(Eigen::Index block)>& solutionOf);
+
+/// Longest memory of a channel's noise that is taken for a sensor's: long-run over fast standard deviation.
+constexpr double kMostMemory = 8.0;
+
+/// Says where values that the user knows lie far outside the intervals of what was measured.
+void compareWithKnown(const PartialPayload& known, EstimateReport& report);
+
+/// What a finding doubts is not called measured. Comes after every finding that may doubt.
+void doubtLabels(EstimateReport& report);
 
 /// Says where a rigid tool does not explain the data, in numbers that need no statistics.
 void judgeFit(const Prepared& prepared, const Residuals& heldout, const Unseen& unseen, EstimateReport& report);

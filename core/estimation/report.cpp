@@ -49,6 +49,18 @@ json jsonOf(const Evidence& evidence) {
   return out;
 }
 
+/// What would be "data" if no finding doubted it.
+json doubtedJson(const Identifiability& id) {
+  json com = json::array(), inertia = json::array();
+  for (const Source s : id.com) com.push_back(s == Source::doubted);
+  for (const auto& row : id.inertia) {
+    json cells = json::array();
+    for (const Source s : row) cells.push_back(s == Source::doubted);
+    inertia.push_back(cells);
+  }
+  return {{"mass", id.mass == Source::doubted}, {"com", com}, {"inertia", inertia}};
+}
+
 json jsonOf(const Identifiability& id) {
   json com = json::array(), inertia = json::array();
   for (const Source s : id.com) com.push_back(toString(s));
@@ -61,7 +73,8 @@ json jsonOf(const Identifiability& id) {
               {"com", com},
               {"inertia", inertia},
               {"data_share", {{"mass", id.massShare}, {"com", id.comShare}, {"inertia", id.inertiaShare}}},
-              {"weak_directions", id.weakDirections}};
+              {"weak_directions", id.weakDirections},
+              {"doubted", doubtedJson(id)}};
   json directions = json::array();
   for (const auto& d : id.directions) directions.push_back({{"data_share", d.dataShare}, {"about", d.about}});
   out["directions"] = directions;
@@ -83,6 +96,8 @@ std::string words(Source source) {
   switch (source) {
     case Source::data:
       return "measured";
+    case Source::doubted:
+      return "doubtful";
     case Source::prior:
       return "from what you gave";
     case Source::none:
@@ -144,14 +159,22 @@ std::string headline(const EstimateReport& report) {
       id.mass == Source::prior && report.evidence.hasPrior && !std::isfinite(report.evidence.data(0))
           ? fmt::format("This motion does not determine the mass of your tool; {:.2f} kg is your own value.",
                         report.payload.mass)
-          : fmt::format("Your tool weighs {:.2f} kg.", report.payload.mass);
-  bool com = true, inertia = true, comPrior = false, inertiaPrior = false;
+      : id.mass == Source::doubted ? fmt::format("Your tool seems to weigh {:.2f} kg.", report.payload.mass)
+                                   : fmt::format("Your tool weighs {:.2f} kg.", report.payload.mass);
+  bool com = true, inertia = true, comPrior = false, inertiaPrior = false, comDoubted = id.mass == Source::doubted,
+       inertiaDoubted = false;
   for (std::size_t i = 0; i < 3; ++i) {
+    comDoubted = comDoubted || id.com[i] == Source::doubted;
+    inertiaDoubted = inertiaDoubted || id.inertia[i][i] == Source::doubted;
     com = com && id.com[i] == Source::data;
     comPrior = comPrior || id.com[i] == Source::prior;
     inertia = inertia && id.inertia[i][i] == Source::data;
     inertiaPrior = inertiaPrior || id.inertia[i][i] == Source::prior;
   }
+  if (comDoubted || inertiaDoubted)
+    return line + (id.mass != Source::data ? ""
+                   : com                   ? " Mass and centre of mass are measured."
+                                           : " The mass is measured.");
   if (report.parameters != ParameterSet::full) return line + (com ? " Mass and centre of mass are measured." : "");
   if (com && inertia) return line + " Mass, centre of mass and inertia are measured.";
   if (com)

@@ -31,6 +31,23 @@ double typicalSize(std::vector<double> values) {
   return kNormal * median(std::move(values));
 }
 
+/// Standard deviation of means of `n` successive values of the noise.
+double meanStd(const ArModel& noise, Eigen::Index n) {
+  constexpr std::size_t kLongest = 2000;  // Values after which the response to one has died away
+  std::vector<double> response{1.0};
+  double sum = 0.0, square = 0.0;
+  for (std::size_t m = 0; m < kLongest; ++m) {
+    sum += response[m];
+    if (m >= static_cast<std::size_t>(n)) sum -= response[m - static_cast<std::size_t>(n)];
+    square += sum * sum;
+    double next = 0.0;
+    for (Eigen::Index i = 0; i < noise.order() && static_cast<std::size_t>(i) <= m; ++i)
+      next += noise.coefficients(i) * response[m - static_cast<std::size_t>(i)];
+    response.push_back(next);
+  }
+  return noise.sigma * std::sqrt(square) / static_cast<double>(n);
+}
+
 bool isOf(const std::string& code, std::initializer_list<const char*> codes) {
   return std::find(codes.begin(), codes.end(), code) != codes.end();
 }
@@ -114,7 +131,7 @@ NoTrust whyNone(const EstimateReport& report, const Unseen& unseen) {
 void withhold(EstimateReport& report) {
   Identifiability& id = report.identifiability;
   const auto lower = [](Source& source) {
-    if (source == Source::data) source = Source::none;
+    if (source == Source::data || source == Source::doubted) source = Source::none;
   };
   lower(id.mass);
   for (Source& source : id.com) lower(source);
@@ -166,7 +183,9 @@ Unseen unseenOver(const Prepared& prepared,
     }
   }
   Unseen out;
+  constexpr double kMostOfNoise = 1.5;  // Times what the learned noise leaves that chance may make
   double loadF = 0.0, loadT = 0.0, noiseF = 0.0;
+  Vector6d beyondNoise = Vector6d::Zero();
   for (int c = 0; c < 6; ++c) {
     const auto i = static_cast<std::size_t>(c);
     if (left[i].empty() || prepared.silent[i]) continue;
@@ -176,6 +195,9 @@ Unseen unseenOver(const Prepared& prepared,
     out.noise(c) = noise;
     const double beyond = size * size - noise * noise;
     out.left(c) = beyond > noise * noise ? std::sqrt(beyond) : 0.0;
+    const ArModel& learned = prepared.noise.channels[i];
+    const bool ofSensor = !standing && learned.gain() > 0.0 && learned.gain() <= kMostMemory;
+    if (!ofSensor || out.left(c) > kMostOfNoise * meanStd(learned, n)) beyondNoise(c) = out.left(c);
     const Eigen::Map<const VectorXd> made(load[i].data(), static_cast<Eigen::Index>(load[i].size()));
     out.load(c) = std::sqrt((made.array() - made.mean()).square().mean());
     (c < 3 ? loadF : loadT) += out.load(c) * out.load(c) / 3.0;
@@ -183,8 +205,11 @@ Unseen unseenOver(const Prepared& prepared,
   }
   loadF = std::max(loadF, 9.0 * noiseF);  // Less does not show
   loadT = std::max(loadT, kLeastLever * kLeastLever * loadF);
-  out.force = out.left.head<3>().maxCoeff() / std::sqrt(std::max(1e-18, loadF));
-  out.torque = out.left.tail<3>().maxCoeff() / std::sqrt(std::max(1e-18, loadT));
+  const double sizeF = std::sqrt(std::max(1e-18, loadF)), sizeT = std::sqrt(std::max(1e-18, loadT));
+  out.force = out.left.head<3>().maxCoeff() / sizeF;
+  out.torque = out.left.tail<3>().maxCoeff() / sizeT;
+  out.forceBeyond = beyondNoise.head<3>().maxCoeff() / sizeF;
+  out.torqueBeyond = beyondNoise.tail<3>().maxCoeff() / sizeT;
   return out;
 }
 
@@ -196,11 +221,26 @@ void loseTrust(EstimateReport& report, const NoTrust& why) {
   report.findings.push_back({Severity::warning, "no_trust", why.what, why.next, {}});
 }
 
+void doubtLabels(EstimateReport& report) {
+  unsigned doubted = kNoNumber;
+  for (const Finding& finding : report.findings) {
+    const bool ofTorques = finding.code == "misfit" && !report.forcesMisfit;
+    doubted |= doubtedBy(finding.severity, finding.code) & (ofTorques ? ~kMass : kAllNumbers);
+  }
+  if (doubted != kNoNumber && report.trust == Trust::good) report.trust = Trust::low;
+  const auto doubt = [&](Numbers kind, Source& source) {
+    if ((doubted & kind) != 0 && source == Source::data) source = Source::doubted;
+  };
+  Identifiability& id = report.identifiability;
+  doubt(kMass, id.mass);
+  for (Source& source : id.com) doubt(kCentre, source);
+  for (auto& row : id.inertia)
+    for (Source& source : row) doubt(kInertia, source);
+}
+
 void addReadingFindings(const Findings& read, EstimateReport& report) {
   report.findings.insert(report.findings.begin(), read.begin(), read.end());
-  if (report.trust == Trust::good &&
-      std::ranges::any_of(read, [](const Finding& f) { return doubtsNumbers(f.severity, f.code); }))
-    report.trust = Trust::low;
+  doubtLabels(report);
 }
 
 void judgeTrust(const Unseen& unseen, EstimateReport& report) {
@@ -235,7 +275,8 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
          said.decides,
          {}});
   report.findings.insert(report.findings.end(), said.cautions.begin(), said.cautions.end());
-  if (unseen.worst() > conventions::kFits && !warned(report.findings, {"misfit"}))
+  report.forcesMisfit = report.forcesMisfit || unseen.forceBeyond > conventions::kFits;
+  if (std::max(unseen.forceBeyond, unseen.torqueBeyond) > conventions::kFits && !warned(report.findings, {"misfit"}))
     report.findings.push_back(
         {Severity::warning,
          "misfit",
@@ -244,8 +285,7 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
                    100.0 * unseen.force, 100.0 * unseen.torque),
          heft::say("Trust is low: the true values may lie outside the intervals. Look where the residual is large."),
          {}});
-  if (std::ranges::any_of(report.findings, [](const Finding& f) { return doubtsNumbers(f.severity, f.code); }))
-    report.trust = Trust::low;
+  doubtLabels(report);
 }
 
 }  // namespace heft

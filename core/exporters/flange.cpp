@@ -68,30 +68,33 @@ Result<Isometry3d> parentInFlange(const std::string& parent, Findings& findings)
   return Isometry3d(Isometry3d::Identity());
 }
 
-std::string sourceAt(const json* list, std::initializer_list<std::size_t> path) {
+const json* at(const json* list, std::initializer_list<std::size_t> path) {
   for (const std::size_t index : path) {
-    if (!list || !list->is_array() || index >= list->size()) return "";
+    if (!list || !list->is_array() || index >= list->size()) return nullptr;
     list = &(*list)[index];
   }
-  return list && list->is_string() ? list->get<std::string>() : "";
+  return list;
 }
 
 /// Says in one warning a kind which numbers nobody measured.
 void reportSources(const json& identifiability, Findings& findings) {
   constexpr std::array kAxes{"x", "y", "z"};
   std::vector<std::string> fromPrior, unknown;
-  const auto sort = [&](const std::string& source, std::string name) {
-    if (source == "prior")
+  // What is doubted was measured: the finding that doubts it is passed on.
+  const json* doubted = member(identifiability, "doubted");
+  const auto sort = [&](const char* key, std::initializer_list<std::size_t> path, std::string name) {
+    const json* const doubt = at(doubted ? member(*doubted, key) : nullptr, path);
+    const json* const source = at(member(identifiability, key), path);
+    if (!source || (doubt && *doubt == true)) return;
+    if (*source == "prior")
       fromPrior.push_back(std::move(name));
-    else if (source == "none")
+    else if (*source == "none")
       unknown.push_back(std::move(name));
   };
-  if (const json* mass = member(identifiability, "mass")) sort(sourceAt(mass, {}), heft::say("mass"));
-  const json* com = member(identifiability, "com");
-  for (std::size_t i = 0; i < 3; ++i) sort(sourceAt(com, {i}), heft::say("centre of mass {}", kAxes[i]));
-  const json* inertia = member(identifiability, "inertia");
+  sort("mass", {}, heft::say("mass"));
+  for (std::size_t i = 0; i < 3; ++i) sort("com", {i}, heft::say("centre of mass {}", kAxes[i]));
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = i; j < 3; ++j) sort(sourceAt(inertia, {i, j}), heft::say("inertia {}{}", kAxes[i], kAxes[j]));
+    for (std::size_t j = i; j < 3; ++j) sort("inertia", {i, j}, heft::say("inertia {}{}", kAxes[i], kAxes[j]));
   if (!unknown.empty())
     findings.push_back(
         {Severity::warning,

@@ -4,6 +4,7 @@
 #include <matio.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/array_streams.h"
+#include "core/import/bytes.h"
 
 namespace heft {
 
@@ -185,6 +187,27 @@ std::vector<double> readMatChannel(const MatArray& what, std::size_t channel) {
   return out;
 }
 
+/// Whether a file of version 4 can be given to the library, which takes as much memory as a damaged head says that a
+/// variable's name is long. A head: type, rows, columns, 0 or 1 for imaginary parts, length of the name.
+bool headsAreSound(const ByteFile& file) {
+  constexpr std::uint64_t kHead = 20;
+  constexpr std::array<std::uint64_t, 6> kBytes{8, 4, 4, 2, 2, 1};  // Of a number, by the type's second digit
+  if (file.read(0, 10) == "MATLAB 5.0") return true;
+  for (std::uint64_t at = 0; at + kHead <= file.size();) {
+    const std::string head = file.read(at, kHead);
+    ByteReader reader(head);
+    const auto type = reader.read<std::uint32_t>();
+    const double rows = reader.read<std::uint32_t>(), columns = reader.read<std::uint32_t>();
+    const auto imaginary = reader.read<std::uint32_t>(), name = reader.read<std::uint32_t>();
+    if (!reader.ok() || type / 10 >= kBytes.size() || imaginary > 1 || name == 0 || name > file.size() - at)
+      return false;
+    const double size = rows * columns * static_cast<double>(kBytes[type / 10] * (1 + imaginary));
+    if (size > static_cast<double>(file.size())) return true;  // Cut off: the library finds no more heads
+    at += kHead + name + static_cast<std::uint64_t>(size);
+  }
+  return true;
+}
+
 }  // namespace
 
 Result<StreamSet> readMatlabStreams(const std::filesystem::path& path, const FieldFilter& filter,
@@ -196,7 +219,9 @@ Result<StreamSet> readMatlabStreams(const std::filesystem::path& path, const Fie
   StreamSet set;
   set.file = displayName(path);
   set.kind = FileKind::matlab;
-  const MatFile file(Mat_Open(path.c_str(), MAT_ACC_RDONLY), Mat_Close);
+  const auto heads = ByteFile::open(path);
+  if (!heads) return heads.error();
+  const MatFile file(headsAreSound(*heads) ? Mat_Open(path.c_str(), MAT_ACC_RDONLY) : nullptr, Mat_Close);
   if (!file)
     return errorAt({set.file, 0, 0}, heft::say("this MATLAB file cannot be opened: it is cut off or damaged."),
                    heft::say("Save it again, for instance with save('FILE', '-v7')."));

@@ -2520,6 +2520,18 @@ noise %3</source>
         <translation>%1 %2
 Rauschen %3</translation>
     </message>
+    <message>
+        <source>%1 are doubtful</source>
+        <translation>%1 sind zweifelhaft</translation>
+    </message>
+    <message>
+        <source>%1 is doubtful</source>
+        <translation>%1 ist zweifelhaft</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
+    </message>
 </context>
 <context>
     <name>RobotChoice</name>
@@ -9812,6 +9824,22 @@ Rauschen %3</translation>
         <source>Correct them, or export the table again.</source>
         <translation>Berichtigen Sie sie, oder exportieren Sie die Tabelle noch einmal.</translation>
     </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
+    </message>
+    <message>
+        <source>The object seems to weigh {:.3f} kg.</source>
+        <translation>Das Objekt scheint {:.3f} kg zu wiegen.</translation>
+    </message>
+    <message>
+        <source>The estimated centre of mass is {:.0f} mm off the known one, far outside its interval.</source>
+        <translation>Der bestimmte Schwerpunkt weicht um {:.0f} mm vom bekannten ab, weit außerhalb seines Bereichs.</translation>
+    </message>
+    <message>
+        <source>The estimated inertia is {:.0f} % off the known one, far outside its interval.</source>
+        <translation>Die bestimmte Trägheit weicht um {:.0f} % von der bekannten ab, weit außerhalb ihres Bereichs.</translation>
+    </message>
 </context>
 <context>
     <name>heft::CarriedObjects</name>
@@ -12773,10 +12801,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
 <context>
     <name>heft::ResultPanel</name>
     <message>
-        <source>measured – see warnings</source>
-        <translation>gemessen, erst prüfen</translation>
-    </message>
-    <message>
         <source>What does your tool weigh?</source>
         <translation>Was wiegt Ihr Werkzeug?</translation>
     </message>
@@ -12891,6 +12915,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Find the cause</source>
         <translation>Ursache finden</translation>
+    </message>
+    <message>
+        <source>doubtful – see warnings</source>
+        <translation>zweifelhaft, erst prüfen</translation>
     </message>
 </context>
 <context>

@@ -218,7 +218,8 @@ constexpr Nastiness kAll[] = {{"thinned", thinned},
 
 struct Tally {
   int recordings = 0, refused = 0, claims = 0, beyond4 = 0, beyond5 = 0, silent = 0, notFinite = 0;
-  std::vector<std::string> bad;  ///< Beyond 4
+  int doubted = 0, doubted4 = 0, good = 0, goodClaims = 0;  ///< good: nothing happened to the recording
+  std::vector<std::string> bad;                             ///< Beyond 4
 };
 
 /// `what`: which recording, and what happened to it.
@@ -231,10 +232,15 @@ void judge(const EstimateReport& report, const Payload& truth, const std::string
   const Source sources[10] = {id.mass, id.com[0], id.com[1], id.com[2], I[0][0],
                               I[0][1], I[0][2],   I[1][1],   I[1][2],   I[2][2]};
   const bool warned = std::ranges::any_of(report.findings, [](const auto& f) { return f.severity != Severity::info; });
+  const bool good = what.ends_with(", nothing") || what.ends_with(", nothing + nothing");
   for (int k = 0; k < 10; ++k) {
+    const double off = std::abs(value(k) - right(k)) / std::max(std(k), 1e-12);
+    tally.doubted += sources[k] == Source::doubted ? 1 : 0;
+    tally.doubted4 += sources[k] == Source::doubted && off > 4.0 ? 1 : 0;
+    tally.good += good && sources[k] <= Source::doubted ? 1 : 0;
+    tally.goodClaims += good && sources[k] == Source::data ? 1 : 0;
     if (sources[k] != Source::data) continue;
     ++tally.claims;
-    const double off = std::abs(value(k) - right(k)) / std::max(std(k), 1e-12);
     if (off <= 4.0) continue;
     ++tally.beyond4;
     tally.beyond5 += off > 5.0 ? 1 : 0;
@@ -299,6 +305,9 @@ int main(int argc, char** argv) {
       "{} numbers called measured: {} beyond 4 sd ({:.2f} %), {} beyond 5 sd ({:.2f} %), {} of those beyond 4 without "
       "a warning\n",
       tally.claims, tally.beyond4, share * tally.beyond4, tally.beyond5, share * tally.beyond5, tally.silent);
+  fmt::print("{} numbers doubted: {} beyond 4 sd ({:.1f} %); of {} where nothing happened, {} called measured\n",
+             tally.doubted, tally.doubted4, 100.0 * tally.doubted4 / std::max(1, tally.doubted), tally.good,
+             tally.goodClaims);
   for (const std::string& bad : tally.bad) fmt::print("  {}\n", bad);
   return 0;
 }

@@ -147,6 +147,17 @@ TEST_F(FaultsTest, AClosedTerminalEndsWithWhatCameEstimated) {
   EXPECT_EQ(result["live"]["recorded"].get<std::ptrdiff_t>(), wholeRows(read("kept.csv")));
 }
 
+TEST_F(FaultsTest, CtrlCEndsWithWhatCameEstimated) {
+  Running live({"live", "virtual:5", "--record", "kept.csv", "--json", "kept.json"}, path("."), "live");
+  ASSERT_TRUE(within(milliseconds(20000), [&] { return exists("kept.csv") && wholeRows(read("kept.csv")) > 1500; }));
+  live.signal(SIGINT);
+  const Outcome run = live.wait();
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("Mass"));
+  EXPECT_GT(readJson("kept.json")["recording"]["samples"].get<int>(), 1500);
+  EXPECT_EQ(readJson("kept.json")["live"]["recorded"].get<std::ptrdiff_t>(), wholeRows(read("kept.csv")));
+}
+
 TEST_F(FaultsTest, AVanishedFolderStillPrintsTheResult) {
   std::filesystem::create_directory(path("gone"));
   Running live({"live", "virtual:5", "--record", "gone/rec.csv", "--json", "gone/result.json", "--duration", "2"},

@@ -1,6 +1,8 @@
 // heft live: a replay estimates as the recording itself does.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <random>
 #include <sstream>
 
 #include "tests/cli/process.h"
@@ -50,6 +52,28 @@ TEST_F(LiveTest, AnotherToolIsNoticedWhileItRuns) {
   ASSERT_EQ(run.exitCode, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("The tool changed at"));
   EXPECT_THAT(run.err, HasSubstr("0.90 kg became 0.40 kg"));
+}
+
+/// Stamps by the time of sending, off by some milliseconds: the line that runs along tells no mass.
+TEST_F(LiveTest, WithUnevenStampsTheRunningLineTellsNoNumber) {
+  simulate("even", {"--motion", "free", "--seed", "12", "--duration", "8", "--rate", "250"});
+  EXPECT_THAT(heft({"live", "replay:even.csv?speed=2", "--json", "even.json"}).err, HasSubstr(" kg ["));
+  std::istringstream rows(read("even.csv"));
+  std::mt19937 random(5);
+  std::normal_distribution<double> jitter(0.0, 3e-3);
+  std::string line, uneven;
+  std::getline(rows, line);
+  uneven = line + "\n";
+  for (double last = -1.0; std::getline(rows, line);) {
+    const auto comma = line.find(',');
+    last = std::max(std::stod(line.substr(0, comma)) + jitter(random), last + 1e-6);
+    uneven += fmt::format("{:.7f}{}\n", last, line.substr(comma));
+  }
+  write("uneven.csv", uneven);
+  write("uneven.meta.json", read("even.meta.json"));
+  const Outcome run = heft({"live", "replay:uneven.csv?speed=2", "--json", "uneven.json"});
+  EXPECT_THAT(run.err, testing::Not(HasSubstr(" kg [")));
+  EXPECT_THAT(run.err, HasSubstr("time stamps jitter by"));
 }
 
 TEST_F(LiveTest, SourcesThatAreNoneAndSilentOnesSaySo) {

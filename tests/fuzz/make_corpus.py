@@ -143,6 +143,7 @@ def main():
                               '{"bodies":[{"kind":"sphere","dims_m":[0.1],"xyz_m":[0,0,0],"rpy_rad":[0,0,0],"mass_kg":1},'
                               '{"kind":"mesh","file":"x.ply","unit":"mm"}],"certainty":"good","total_mass_kg":2}']):
         put("shape", f"shape{k}", text)
+        put("shape_points", f"shape{k}", text)
     put("payload", "full.json", '{"mass_kg":1,"com_m":[0,0,0.1],"inertia_com_kgm2":[[1e-3,0,0],[0,1e-3,0],[0,0,1e-3]]}')
     put("payload", "part.json", '{"payload":{"mass_kg":-1,"com_m":[1e400,0]}}')
     link = '<link name="{}"><inertial><origin xyz="0 0 0.1"/><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>'
@@ -170,6 +171,19 @@ def main():
         't{"op":"publish","topic":"/js","msg":{"header":{"stamp":{"secs":-9e18,"nsecs":1}},"name":["a","b"],"position":[1,NaN],"velocity":[null,2]}}']))
     put("rtde", "session", rtde(types="DOUBLE,VECTOR6D,VECTOR6D,VECTOR6D,DOUBLE,VECTOR3D,VECTOR6D", numbers=29))
     put("rtde", "old_controller", rtde(types="DOUBLE,VECTOR6D,VECTOR6D,NOT_FOUND,NOT_FOUND,NOT_FOUND,NOT_FOUND", numbers=13))
+    page = "<netft><scfgfu>N</scfgfu><scfgtu>N-m</scfgtu><cfgcpf>{}</cfgcpf><cfgcpt>{}</cfgcpt></netft>"
+    records = [struct.pack(">3I6i", n, 7 * n % 2**32, n == 4, 10**6, -(10**6), 3, 2**31 - 1, -(2**31), 0) for n in (1, 2, 4, 3, 2**31, 9)]
+    datagrams = [records[0], records[1] + records[2], records[3], records[4][:35], records[4], records[5] * 3]
+    packed = b"".join(struct.pack(">H", len(d)) + d for d in datagrams)
+    put("rdt", "session", page.format(10**6, 10**6).encode() + b"\0" + packed)
+    put("rdt", "odd_counts", page.format("1e-320", "inf").encode() + b"\0" + packed)
+    put("room", "full.json", json.dumps({"schema": "heft.room/1", "margin_m": 0.02, "obstacles": [
+        {"name": "table", "plane": {"point_m": [0, 0, -0.1], "normal": [0, 0, 2]}},
+        {"name": "rack", "box": {"size_m": [0.4, 0.3, 1], "xyz_m": [0.6, 0, 0.5], "rpy_rad": [0, 0, 0.3]}},
+        {"name": "cell", "mesh": {"file": "cell.stl", "unit": "mm", "xyz_m": [0, 0, 0], "rpy_rad": [0, 0, 0]}}]}))
+    put("room", "boxes.json", json.dumps({"schema": "heft.room/1", "obstacles": [
+        {"box": {"size_m": [0.4, 0.3, 1]}}, {"name": "wall 2", "plane": {"point_m": [1, 0, 0], "normal": [-1, 0, 0]}}]}))
+    put("room", "odd.json", '{"schema":"heft.room/1","margin_m":1e400,"obstacles":[{"name":3,"plane":{"normal":[0,0,0]}},{"box":{"size_m":[1e308,0,-1]}}]}')
     rows = [{"t": 0.01 * k, "q": [math.sin(k + j) for j in range(7)], "f": {"x": k, "y": None, "z": 1}} for k in range(12)]
     put("json_lines", "array_of_objects", json.dumps(rows))
     put("json_lines", "object_of_arrays", json.dumps({"t": [r["t"] for r in rows], "arm": {"q": [r["q"] for r in rows]}}, indent=1))

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/base/json_file.h"
+#include "core/collision/room.h"
 #include "core/exporters/controller_file.h"
 #include "core/exporters/urdf_copy.h"
 #include "core/import/import.h"
@@ -17,6 +18,7 @@
 #include "core/import/message_definition.h"
 #include "core/live/bridge.h"
 #include "core/live/field_mapper.h"
+#include "core/live/rdt_protocol.h"
 #include "core/live/rtde_protocol.h"
 #include "core/live/sources.h"
 #include "core/mesh/mesh.h"
@@ -34,12 +36,16 @@ void require(bool sound) {
   if (!sound) std::abort();
 }
 
-/// The bytes as a file of the same name again and again; removed when the program ends. Each is a new file: one that is
-/// cut to nothing and written again is flushed by ext4 when it is closed, which takes milliseconds.
+/// The bytes as a file of the same name again and again; removed when the program ends. In memory where the system has
+/// such a place: on a disk making and removing files takes half of the time.
 const std::filesystem::path& asFile(std::string_view bytes, const std::string& ending = "") {
   static struct Folder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / ("heft-fuzz-" + std::to_string(::getpid()));
+    std::filesystem::path path = place() / ("heft-fuzz-" + std::to_string(::getpid()));
     std::filesystem::path file;
+    static std::filesystem::path place() {
+      const std::filesystem::path memory = "/dev/shm";
+      return ::access(memory.c_str(), W_OK) == 0 ? memory : std::filesystem::temp_directory_path();
+    }
     Folder() { std::filesystem::create_directories(path); }
     ~Folder() {
       std::error_code code;
@@ -102,10 +108,22 @@ void messages(std::string_view bytes) {
 
 void map(std::string_view bytes) { (void)readMapFile(asFile(bytes)); }
 
-void shape(std::string_view bytes) {
+Result<Shape> shapeOf(std::string_view bytes) {
   auto read = parseShape(std::string(bytes));
   if (!read)
     if (const auto json = parseJson(bytes, "shape.json")) read = shapeFromJson(*json, "shape.json", "/nonexistent");
+  return read;
+}
+
+void shape(std::string_view bytes) {
+  const auto read = shapeOf(bytes);
+  if (!read) return;
+  for (const ShapeBody& body : read->bodies) require(body.X_SB.matrix().allFinite());
+}
+
+/// Filling a shape with points takes a millisecond; reading it hardly anything.
+void shapePoints(std::string_view bytes) {
+  const auto read = shapeOf(bytes);
   if (!read) return;
   Findings findings;
   if (const auto samples = sampleShape(*read, findings))
@@ -210,6 +228,39 @@ void rtdeStream(std::string_view bytes) {
   }
 }
 
+/// A page of configuration up to a zero byte, then datagrams, each after its length in two bytes.
+void rdtStream(std::string_view bytes) {
+  const auto zero = std::min(bytes.find('\0'), bytes.size());
+  const auto told = rdt::unitsIn(bytes.substr(0, zero));
+  const rdt::Units units = told ? *told : rdt::Units{1e6, 1e6};
+  bytes.remove_prefix(std::min(zero + 1, bytes.size()));
+  rdt::RecordReader reader;
+  rdt::Counts counts;
+  for (double now = 0.0; bytes.size() >= 2; now += 1e-3) {
+    const auto length = static_cast<unsigned char>(bytes[0]) * 256u + static_cast<unsigned char>(bytes[1]);
+    bytes.remove_prefix(2);
+    for (const auto& sample : reader.read(bytes.substr(0, length), units, now, counts))
+      require(std::isfinite(sample.time) && sample.wrench->allFinite());
+    require(counts.late <= counts.lost);
+    bytes.remove_prefix(std::min<std::size_t>(length, bytes.size()));
+  }
+}
+
+void room(std::string_view bytes) {
+  const auto json = parseJson(bytes, "room.json");
+  if (!json) return;
+  const auto read = roomFromJson(*json, "room.json", "/nonexistent");
+  if (!read) return;
+  require(std::isfinite(read->margin));
+  for (const Obstacle& obstacle : read->obstacles) {
+    if (const auto* plane = std::get_if<RoomPlane>(&obstacle.body))
+      require(plane->point.allFinite() && std::abs(plane->normal.norm() - 1.0) < 1e-9);
+    if (const auto* box = std::get_if<RoomBox>(&obstacle.body))
+      require(box->size.allFinite() && box->size.minCoeff() > 0.0 && box->X_BO.matrix().allFinite());
+  }
+  require(roomFromJson(toJson(*read), "room.json", "/nonexistent").ok());
+}
+
 /// The ending tells assimp the format: it stands in the first line.
 void mesh(std::string_view bytes) {
   const auto line = std::min(bytes.find('\n'), bytes.size());
@@ -238,6 +289,7 @@ constexpr Parser kParsers[] = {{"recording", recording},
                                {"messages", messages},
                                {"map", map},
                                {"shape", shape},
+                               {"shape_points", shapePoints},
                                {"payload", payload},
                                {"lesson", lesson},
                                {"urdf", urdf},
@@ -247,6 +299,8 @@ constexpr Parser kParsers[] = {{"recording", recording},
                                {"rosbridge", rosbridge},
                                {"udp", udp},
                                {"rtde", rtdeStream},
+                               {"rdt", rdtStream},
+                               {"room", room},
                                {"mesh", mesh}};
 
 }  // namespace

@@ -89,6 +89,21 @@ TEST(DescribeResult, AMisfitComesBeforePraise) {
   EXPECT_FALSE(text.answer.contains("measured"));
 }
 
+TEST(DescribeResult, WhatIsDoubtedIsNotCalledMeasured) {
+  const Recording recording = test::sineRecording(1000, 100);
+  EstimateReport report = test::reportOn(recording);
+  report.identifiability.mass = Source::data;
+  report.identifiability.inertia[0][0] = Source::doubted;
+  const ResultText text = describeResult(report, {});
+  EXPECT_EQ(sourceWord(text.mass.source), "measured");
+  EXPECT_EQ(sourceWord(text.inertia.at(0).source), "doubtful");
+  // So is what a cause that was found would move out of its interval.
+  OpenQuestion open;
+  open.causes << "late";
+  open.moved(0) = 3.0;
+  EXPECT_EQ(sourceWord(describeResult(report, {}, open).mass.source), "doubtful");
+}
+
 TEST(DescribeResult, ComparesWithWhatIsStated) {
   const Recording recording = test::sineRecording(1000, 100);
   PartialPayload stated;

@@ -7,6 +7,7 @@
 
 #include "core/base/doubts.h"
 #include "core/estimation/joint.h"
+#include "core/estimation/judgement.h"
 
 namespace heft {
 namespace {
@@ -82,6 +83,7 @@ Result<bool> join(const std::vector<Snapshot>& of, const std::vector<std::size_t
                                   .toStdString(),
                               JoinWords::tr("Look at its result alone, or leave it out.").toStdString(),
                               {}});
+      doubtLabels(piece.report);
       piece.report.findings.push_back(
           {Severity::info,
            "joined",

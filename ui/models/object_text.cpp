@@ -16,7 +16,7 @@ QString withSource(const NumberText& number, const QString& unit) {
   QString out = number.value;
   if (!number.plusMinus.isEmpty()) out += ' ' + number.plusMinus;
   if (!unit.isEmpty() && !number.plusMinus.endsWith(unit)) out += ' ' + unit;
-  return number.source == Source::data ? out : out + QStringLiteral(", ") + ObjectWords::tr("not known");
+  return number.source <= Source::doubted ? out : out + QStringLiteral(", ") + ObjectWords::tr("not known");
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ QString answerText(Source mass, Source com, Source inertia) {
   } parts[] = {
       {ResultWords::tr("mass"), mass}, {ResultWords::tr("centre"), com}, {ResultWords::tr("inertia"), inertia}};
   QStringList clauses;
-  for (const Source source : {Source::data, Source::prior, Source::none}) {
+  for (const Source source : {Source::data, Source::doubted, Source::prior, Source::none}) {
     QStringList names;
     for (const auto& part : parts) {
       if (part.source == source) names << part.name;
@@ -90,6 +90,8 @@ QString answerText(Source mass, Source com, Source inertia) {
                                           : names[0];
     clauses << (source == Source::data
                     ? (several ? ResultWords::tr("%1 are measured") : ResultWords::tr("%1 is measured"))
+                : source == Source::doubted
+                    ? (several ? ResultWords::tr("%1 are doubtful") : ResultWords::tr("%1 is doubtful"))
                 : source == Source::prior
                     ? (several ? ResultWords::tr("%1 rely on your shape") : ResultWords::tr("%1 relies on your shape"))
                     : (several ? ResultWords::tr("%1 are not fully determined by this motion")
@@ -190,14 +192,18 @@ std::vector<ShareText> shareTexts(const EstimateReport& report) {
   return rows;
 }
 
-/// Rows of the inertia that a cause would move out of their intervals.
+/// What a cause that is not applied would move out of its interval is not called measured.
+void doubt(NumberText& number, double moved) {
+  if (moved > kOutside && number.source == Source::data) number.source = Source::doubted;
+}
+
 void doubtInertia(std::vector<NumberText>& rows, const Vector10d& moved) {
   // As payloadShift() has them: xx, xy, xz, yy, yz, zz from the fifth on.
   static const std::pair<const char*, int> kPlaces[] = {{"Ixx", 4}, {"Iyy", 7}, {"Izz", 9},
                                                         {"Ixy", 5}, {"Ixz", 6}, {"Iyz", 8}};
   for (NumberText& row : rows)
     for (const auto& [name, place] : kPlaces)
-      if (row.name.contains(QLatin1String(name)) && moved(place) > kOutside) row.doubted = true;
+      if (row.name.contains(QLatin1String(name))) doubt(row, moved(place));
 }
 
 std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPayload& known) {
@@ -256,8 +262,8 @@ QString addFindings(const EstimateReport& report, ResultText& out) {
 
 /// Numbers that leave their intervals with causes that the reality check found, and that it did.
 void doubtNumbers(const OpenQuestion& open, ResultText& out) {
-  out.mass.doubted = open.moved(0) > kOutside;
-  for (int i = 0; i < 3; ++i) out.com[static_cast<std::size_t>(i)].doubted = open.moved(1 + i) > kOutside;
+  doubt(out.mass, open.moved(0));
+  for (int i = 0; i < 3; ++i) doubt(out.com[static_cast<std::size_t>(i)], open.moved(1 + i));
   doubtInertia(out.inertia, open.moved);
   out.doubted = out.doubtful || !open.causes.isEmpty();
   if (!open.causes.isEmpty())
@@ -298,6 +304,8 @@ QString sourceWord(Source source) {
   switch (source) {
     case Source::data:
       return ResultWords::tr("measured");
+    case Source::doubted:
+      return ResultWords::tr("doubtful");
     case Source::prior:
       return ResultWords::tr("from your shape");
     case Source::none:
@@ -367,7 +375,7 @@ ResultText describeResult(const EstimateReport& report, const KnownPayload& know
 
   const QString joined = addFindings(report, out);
   doubtNumbers(open, out);
-  if ((out.doubtful || out.mass.doubted) && id.mass != Source::none)
+  if ((out.doubtful || out.mass.source == Source::doubted) && id.mass != Source::none)
     out.question = ResultWords::tr("Your tool seems to weigh %1.")
                        .arg(weight.replace(' ', QChar(0xA0)));  // The unit does not stand alone on the next line.
   if (out.doubtful || open.moved.maxCoeff() > kOutside)

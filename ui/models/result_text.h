@@ -14,8 +14,7 @@ struct NumberText {
   QString value;      ///< "16.0"
   QString plusMinus;  ///< "± 1.3"
   Source source = Source::none;
-  QString tip;           ///< The interval in full and what the number means.
-  bool doubted = false;  ///< A cause that is not applied would move it out of its interval.
+  QString tip;  ///< The interval in full and what the number means.
 };
 
 /// A position on the mass card's scale, 0 to 1.
@@ -90,7 +89,7 @@ struct OpenQuestion {
 
 ResultText describeResult(const EstimateReport& report, const KnownPayload& known, const OpenQuestion& open = {});
 
-/// "measured", "from your shape", "not known from this motion".
+/// "measured", "doubtful", "from your shape", "not known from this motion".
 QString sourceWord(Source source);
 
 /// The most modest source of several: one unknown makes the whole unknown or partly known.

@@ -133,6 +133,7 @@ void WhatIfPane::showNumbers(const WhatIfState& calm, const WhatIfState& state, 
     NumberRow& row = numbers_[i];
     row.light->setLight(std::abs(state.moved(s.component)) > kLeavesItsInterval ? Light::look
                         : sourceOf(known, i) == Source::data                    ? Light::measured
+                        : sourceOf(known, i) == Source::doubted                 ? Light::look
                                                                                 : Light::unknown);
     row.value->setText(QStringLiteral("%1 ± %2 %3")
                            .arg(numberText(s.scale * is(s.component), decimals), numberText(half, decimals), s.unit));

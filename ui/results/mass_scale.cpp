@@ -21,7 +21,9 @@ void MassScaleWidget::paintEvent(QPaintEvent*) {
   const auto x = [&](double share) { return left + share * (right - left); };
   painter.setPen(QPen(t.line, 2));
   painter.drawLine(QPointF(left, middle), QPointF(right, middle));
-  const QColor colour = source_ == Source::data ? t.good : source_ == Source::prior ? t.look : t.text3;
+  const QColor colour = source_ == Source::data                                  ? t.good
+                        : source_ == Source::doubted || source_ == Source::prior ? t.look
+                                                                                 : t.text3;
   QColor pale = colour;
   pale.setAlpha(115);
   const double from = x(scale_.from), to = std::max(x(scale_.to), x(scale_.from) + 3);

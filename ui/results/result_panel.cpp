@@ -18,10 +18,11 @@
 namespace heft {
 namespace {
 
-Light lightOf(Source source, bool doubtful) {
-  return source == Source::data    ? (doubtful ? Light::look : Light::measured)
-         : source == Source::prior ? Light::partly
-                                   : Light::unknown;
+Light lightOf(Source source) {
+  return source == Source::data      ? Light::measured
+         : source == Source::doubted ? Light::look
+         : source == Source::prior   ? Light::partly
+                                     : Light::unknown;
 }
 
 Light lightOf(Severity severity) {
@@ -29,21 +30,14 @@ Light lightOf(Severity severity) {
 }
 
 /// A light for several numbers: partly known if only some of them are.
-Light jointLight(const std::vector<NumberText>& numbers, bool doubtful) {
-  bool any = false, all = true;
-  for (const NumberText& n : numbers) {
-    any = any || n.source != Source::none;
-    all = all && n.source == Source::data;
-  }
-  return all ? (doubtful ? Light::look : Light::measured) : any ? Light::partly : Light::unknown;
+Light jointLight(const std::vector<NumberText>& numbers) {
+  const Source worst = jointSource(numbers);
+  const bool any = std::ranges::any_of(numbers, [](const NumberText& n) { return n.source != Source::none; });
+  return worst <= Source::doubted ? lightOf(worst) : any ? Light::partly : Light::unknown;
 }
 
-bool anyDoubted(const std::vector<NumberText>& numbers) {
-  return std::any_of(numbers.begin(), numbers.end(), [](const NumberText& n) { return n.doubted; });
-}
-
-QString tagText(Source source, bool doubtful) {
-  return doubtful && source == Source::data ? ResultPanel::tr("measured – see warnings") : sourceWord(source);
+QString tagText(Source source) {
+  return source == Source::doubted ? ResultPanel::tr("doubtful – see warnings") : sourceWord(source);
 }
 
 /// Where there is little room.
@@ -59,11 +53,12 @@ QLabel* termLabel(const QString& text, const char* term, QWidget* parent) {
 }
 
 /// Where a number comes from: a light, a word, and what the word means.
-QLabel* sourceTag(const QString& text, Source source, bool doubtful, QWidget* parent) {
-  QLabel* tag = makeTag(text, lightOf(source, doubtful), parent);
-  tag->setToolTip(glossaryTip(source == Source::data    ? "measured"
-                              : source == Source::prior ? "from_shape"
-                                                        : "not_known"));
+QLabel* sourceTag(const QString& text, Source source, QWidget* parent) {
+  QLabel* tag = makeTag(text, lightOf(source), parent);
+  tag->setToolTip(glossaryTip(source == Source::data      ? "measured"
+                              : source == Source::doubted ? "doubtful"
+                              : source == Source::prior   ? "from_shape"
+                                                          : "not_known"));
   return tag;
 }
 
@@ -154,7 +149,7 @@ void ResultPanel::addMass(QVBoxLayout* column, const ResultText& result) {
   card.frame->setToolTip(result.mass.tip);
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
-  row->addWidget(new LightIcon(lightOf(result.mass.source, result.doubtful || result.mass.doubted), 22, content));
+  row->addWidget(new LightIcon(lightOf(result.mass.source), 22, content));
   row->addWidget(termLabel(tr("Mass"), "mass", content));
   row->addStretch(1);
   QLabel* value = styledLabel(result.mass.value, "bigNumber", content);
@@ -164,9 +159,7 @@ void ResultPanel::addMass(QVBoxLayout* column, const ResultText& result) {
   card.layout->addLayout(row);
   if (!result.withheld) card.layout->addWidget(new MassScaleWidget(result.massScale, result.mass.source, content));
   auto* foot = new QHBoxLayout;
-  foot->addWidget(sourceTag(tagText(result.mass.source, result.doubtful || result.mass.doubted), result.mass.source,
-                            result.doubtful || result.mass.doubted, content),
-                  0, Qt::AlignTop);
+  foot->addWidget(sourceTag(tagText(result.mass.source), result.mass.source, content), 0, Qt::AlignTop);
   if (result.massNote.isEmpty()) {
     foot->addStretch(1);
   } else {
@@ -183,13 +176,13 @@ void ResultPanel::addCentre(QVBoxLayout* column, const ResultText& result) {
   const Card card = makeCard("card", content);
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
-  row->addWidget(new LightIcon(jointLight(result.com, result.doubtful || anyDoubted(result.com)), 22, content));
+  row->addWidget(new LightIcon(jointLight(result.com), 22, content));
   row->addWidget(termLabel(tr("Centre of mass"), "centre_of_mass", content));
   row->addStretch(1);
   const Source joint = jointSource(result.com);
   const bool same =
       std::all_of(result.com.begin(), result.com.end(), [&](const NumberText& n) { return n.source == joint; });
-  if (same) row->addWidget(sourceTag(shortTagText(joint), joint, result.doubtful || anyDoubted(result.com), content));
+  if (same) row->addWidget(sourceTag(shortTagText(joint), joint, content));
   card.layout->addLayout(row);
 
   // Side by side, or below each other where the numbers are long.
@@ -222,8 +215,7 @@ void ResultPanel::addCentre(QVBoxLayout* column, const ResultText& result) {
   if (!same) {
     auto* tags = new QHBoxLayout;
     for (const NumberText& n : result.com) {
-      tags->addWidget(sourceTag(n.name + QStringLiteral(": ") + shortTagText(n.source), n.source,
-                                result.doubtful || n.doubted, content));
+      tags->addWidget(sourceTag(n.name + QStringLiteral(": ") + shortTagText(n.source), n.source, content));
     }
     tags->addStretch(1);
     card.layout->addLayout(tags);
@@ -239,7 +231,7 @@ void ResultPanel::addInertia(QVBoxLayout* column, const ResultText& result) {
   card.layout->setSpacing(0);
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
-  row->addWidget(new LightIcon(jointLight(result.inertia, result.doubtful || anyDoubted(result.inertia)), 22, content));
+  row->addWidget(new LightIcon(jointLight(result.inertia), 22, content));
   row->addWidget(termLabel(tr("Inertia"), "inertia", content));
   QLabel* unit = wrappedLabel(tr("about the centre, %1").arg(result.inertiaUnit), "caption", content);
   unit->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -255,11 +247,11 @@ void ResultPanel::addInertia(QVBoxLayout* column, const ResultText& result) {
     auto* lineRow = new QHBoxLayout(line);
     lineRow->setContentsMargins(0, 0, 0, 0);
     lineRow->setSpacing(8);
-    lineRow->addWidget(new LightIcon(lightOf(n.source, result.doubtful || n.doubted), 18, line));
+    lineRow->addWidget(new LightIcon(lightOf(n.source), 18, line));
     QLabel* name = styledLabel(n.name, "rowName", line);
     name->setMinimumWidth(40);
     lineRow->addWidget(name);
-    lineRow->addWidget(sourceTag(shortTagText(n.source), n.source, result.doubtful || n.doubted, line));
+    lineRow->addWidget(sourceTag(shortTagText(n.source), n.source, line));
     lineRow->addStretch(1);
     QLabel* value = styledLabel(n.value, "smallNumber", line);
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

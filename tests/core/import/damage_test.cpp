@@ -1,4 +1,6 @@
 // Files that are cut off give what they hold; damaged ones end in a sentence, never in a crash.
+#include <sys/resource.h>
+
 #include <random>
 
 #include "tests/core/import/fixtures.h"
@@ -35,6 +37,27 @@ TEST_F(CutOff, BeforeAnythingIsCompleteItSaysThat) {
     EXPECT_THAT(result.error().message, testing::HasSubstr("damaged")) << name;
     EXPECT_THAT(result.error().message, testing::Not(testing::HasSubstr("not CSV"))) << name;
   }
+}
+
+/// MATLAB 4: the library takes as much memory as the second variable's head says that its name is long (1.9 GB).
+TEST_F(CutOff, ADamagedHeadTakesNoMemory) {
+  const auto peak = [] {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;  // [KiB]
+  };
+  const auto head = [](std::uint32_t name) {
+    const std::uint32_t numbers[] = {0, 1, 1, 0, name};
+    return std::string(reinterpret_cast<const char*>(numbers), sizeof numbers);
+  };
+  const std::string first = head(5) + std::string("time\0", 5) + std::string(8, '\0');
+  const auto whole = write("whole.mat", first + head(3) + std::string("fx\0", 3) + std::string(8, '\0'));
+  EXPECT_TRUE(inspectRecording(whole).ok());
+  const auto before = peak();
+  const auto result = inspectRecording(write("long_name.mat", first + head(0x75640005) + std::string(51, '\0')));
+  ASSERT_FALSE(result.ok());
+  EXPECT_THAT(result.error().message, testing::HasSubstr("damaged"));
+  EXPECT_LT(peak() - before, 100 << 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Fixtures, Damage,

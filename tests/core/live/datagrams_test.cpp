@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/live/network.h"
+#include "core/live/rdt_protocol.h"
 #include "core/live/sources.h"
 #include "tests/core/live/collected.h"
 
@@ -242,6 +243,16 @@ TEST(JsonUdp, AnAccelerometerComesAlong) {
     EXPECT_EQ(*sample.gyroscope, Vector3d(0.1, 0.2, 0.3));
   }
   EXPECT_TRUE(collected.samples().back().accelerometer);
+}
+
+TEST(NetFt, CountsThatNothingCanBeDividedByAreNone) {
+  const auto page = [](const std::string& force, const std::string& torque) {
+    return "<cfgcpf>" + force + "</cfgcpf><cfgcpt>" + torque + "</cfgcpt>";
+  };
+  ASSERT_TRUE(rdt::unitsIn(page("1000000", "2e6")).ok());
+  EXPECT_EQ(rdt::unitsIn(page("1000000", "2e6"))->countsPerNewtonMetre, 2e6);
+  for (const char* const bad : {"0", "-1", "inf", "nan", "1e-320", "1e400", "10 N", ""})
+    EXPECT_FALSE(rdt::unitsIn(page("1000000", bad)).ok()) << bad;
 }
 
 }  // namespace

@@ -179,6 +179,29 @@ TEST(Online, UnevenStampsAreToldAndNoNumber) {
   EXPECT_THAT(state.findings, testing::Not(testing::Contains(testing::Field(&Finding::code, "stamps_jitter"))));
 }
 
+/// Forces in other axes than are stated: the best tool misses them by far more than the sensor scatters.
+TEST(Online, NoNumberBeforeTheFitsScatterAgreesWithTheSensors) {
+  const Recording right = simulated(MotionKind::free, onlineTool(), 15, 8.0, 1.0, 250.0);
+  for (const auto& [first, second] : {std::pair{0, 2}, {1, 2}}) {
+    Recording wrong = right;
+    for (const int kind : {0, 3}) wrong.wrench.col(kind + first).swap(wrong.wrench.col(kind + second));
+    OnlineEstimator online = estimatorFor(wrong);
+    for (Eigen::Index k = 0; k < wrong.rows(); ++k) {
+      online.add(sampleOf(wrong, k));
+      // Before the arm has turned enough, other axes miss less than the share that is let pass.
+      if (k % 50 == 0 && wrong.time(k) > 3.0) {
+        EXPECT_FALSE(online.state().estimated) << first << second << " " << wrong.time(k);
+      }
+    }
+    EXPECT_THAT(online.state().findings, testing::Contains(testing::Field(&Finding::code, "no_agreement")))
+        << first << second;
+  }
+  OnlineEstimator online = estimatorFor(right);
+  feed(online, right);
+  EXPECT_TRUE(online.state().estimated);
+  EXPECT_THAT(online.state().findings, testing::Not(testing::Contains(testing::Field(&Finding::code, "no_agreement"))));
+}
+
 TEST(Online, InBetweenItIsNearlyTheBatchOfWhatCame) {
   const Recording recording = simulated(MotionKind::free, onlineTool(), 7, 10.0);
   OnlineEstimator online = estimatorFor(recording, at25Hz());
