@@ -19,11 +19,10 @@ namespace heft::diagnosis {
 /// A cause is part of the model from here on: very strong.
 constexpr double kThreshold = 10.0;
 /// Two explanations that differ by less are tied.
-constexpr double kTie = 10.0;
-/// Twice very strong: a cause is named, and what needs more doubt than others is believed.
-constexpr double kNamed = 20.0;
-/// What a form needs beyond others because things are seldom like that, or because it takes a little of anything.
-constexpr double kUnusual = 20.0;
+constexpr double kTie = kThreshold;
+/// Twice very strong: a cause is named, and a form is believed that needs more than others, because things are seldom
+/// like that or because it takes a little of anything.
+constexpr double kNamed = 2.0 * kThreshold;
 /// One explanation is clearly better than another that was taken first; also beside a zero that wanders, whose waves
 /// leave a little of anything.
 constexpr double kClearEvidence = 30.0;
@@ -69,20 +68,24 @@ constexpr double kManyDeviations = 5.0;
 // Shares and counts in words.
 
 constexpr double kTinyShare = 0.05, kSmallShare = 0.1, kMinorShare = 0.15, kFifth = 0.2, kQuarter = 0.25, kThird = 0.3,
-                 kMajority = 0.5, kClearMajority = 0.6, kLargeShare = 0.8, kNearlyWhole = 0.95;
+                 kMajority = 0.5, kClearMajority = 0.6, kLargeShare = 0.8, kNearlyAll = 0.9, kNearlyWhole = 0.95;
+/// Too little to be told, or to be told from nothing.
+constexpr double kHardlyAny = 0.01;
 /// Times the usual size, the usual power, or what something else explains.
 constexpr double kStandsOut = 5.0, kLoudPower = 2.0, kManyTimes = 4.0;
 /// As often, it is no chance.
 constexpr std::size_t kAgainAndAgain = 3;
+/// As few have no usual value.
+constexpr std::ptrdiff_t kFewestSamples = 20;
 
-/// Causes, or masses that swing, that nobody has at once: crutches for something unknown.
+/// Causes, ties or touches that nobody has at once: crutches for something unknown. Masses that swing, at most.
 constexpr std::ptrdiff_t kOverfitted = 4, kMasses = 2;
 
 // Time and place.
 
-/// [s] What happens within this happens at one moment; blocks are 20 ms.
+/// [s] What happens within this happens at one moment; the same in blocks of 20 ms.
 constexpr double kMoment = 0.1;
-constexpr std::ptrdiff_t kMomentBlocks = 5;
+constexpr std::ptrdiff_t kMomentBlocks = static_cast<std::ptrdiff_t>(kMoment / 0.02 + 0.5);
 /// [s] A knock lasts no longer; what a blow sets ringing has died away; what lasts no longer than the last is brief.
 constexpr double kKnockLasts = 0.25, kRingsOut = 0.4, kBriefly = 3.0;
 /// [s] From one event to the next.

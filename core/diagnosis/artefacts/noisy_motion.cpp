@@ -19,7 +19,7 @@ WrenchRms leftOver(const SmoothingCandidate& candidate) {
 /// Standard deviation of what changes within `apart` rows of the noisiest column and is no motion: third differences.
 template <class CachedJacobian>
 double noiseWithin(Eigen::Index apart, const CachedJacobian& columns) {
-  constexpr double kThird = 4.472135955;  // Root of 1 + 9 + 9 + 1
+  const double third = std::sqrt(1.0 + 9.0 + 9.0 + 1.0);
   double out = 0.0;
   const Eigen::Index n = columns.rows() - 3 * apart;
   for (Eigen::Index c = 0; c < columns.cols() && n > 0; ++c) {
@@ -27,7 +27,7 @@ double noiseWithin(Eigen::Index apart, const CachedJacobian& columns) {
     for (Eigen::Index i = 0; i < n; ++i)
       differences[static_cast<std::size_t>(i)] = std::abs(columns(i + 3 * apart, c) - 3.0 * columns(i + 2 * apart, c) +
                                                           3.0 * columns(i + apart, c) - columns(i, c));
-    out = std::max(out, 1.4826 * median(std::move(differences)) / kThird);
+    out = std::max(out, 1.4826 * median(std::move(differences)) / third);
   }
   return out;
 }

@@ -46,14 +46,15 @@ class FlexibleMount final : public Oscillator {
   std::vector<std::string> lookAlikes() const override { return {"loose_mass", "derivative_noise"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     if (signals.rateHz < 100.0) return {};
-    auto out = at({13.0, 15.0, 17.5, 20.0, 23.0}, kSoftest, kStiffest);
+    auto out = at({13.0, 15.0, 17.5, 20.0, 23.0}, kSoftestMountHz, kStiffest);
     if (const auto pitch = pitchIn(signals); pitch && *pitch < kStiffest)
-      std::ranges::move(at({*pitch}, kSoftest, kStiffest), std::back_inserter(out));
+      std::ranges::move(at({*pitch}, kSoftestMountHz, kStiffest), std::back_inserter(out));
     // The whole tool gives, by as much per newton to all sides: how far tells the frequency, whether or not it rings.
     for (const double damping : {0.05, 0.2}) {
-      Form form = formOf(this, fmt::format("whole tool, damped {:.2f}", damping),
-                         {{"frequency", "Hz", 1.0, giveAt(25.0), 0.0, giveAt(kSoftest), false, false, frequencyAt},
-                          {"damping", "", 1.0, 0.05, 0.001, kMostDamped}});
+      Form form =
+          formOf(this, fmt::format("whole tool, damped {:.2f}", damping),
+                 {{"frequency", "Hz", 1.0, giveAt(25.0), 0.0, giveAt(kSoftestMountHz), false, false, frequencyAt},
+                  {"damping", "", 1.0, 0.05, 0.001, kMostDamped}});
       form.start(1) = damping;
       form.scan = {0};
       form.choice = {kWhole};
@@ -84,7 +85,7 @@ class FlexibleMount final : public Oscillator {
   }
 
  private:
-  static constexpr double kSoftest = 11.0, kStiffest = 60.0;  // [Hz]
+  static constexpr double kStiffest = 60.0;  // [Hz]
   static constexpr int kWhole = kElse;
 
   /// How far a mass goes per unit of acceleration [s2], by the frequency at which it rings on the mount [Hz].

@@ -105,7 +105,7 @@ class LooseMass final : public Oscillator {
     return out;
   }
   double doubt(const Form& form, const VectorXd& v, const Signals& signals) const override {
-    return form.choice[0] == kFromStart ? kUnusual : Oscillator::doubt(form, v, signals);
+    return form.choice[0] == kFromStart ? kNamed : Oscillator::doubt(form, v, signals);
   }
 
  private:

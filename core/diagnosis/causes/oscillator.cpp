@@ -216,12 +216,12 @@ void Oscillator::forces(const Form& form, std::span<const VectorXd> each, const 
 }
 
 double Oscillator::doubt(const Form& form, const VectorXd& v, const Signals& signals) const {
-  return form.choice[0] == kRolls ? kUnusual : doubtAt(v(4), signals);
+  return form.choice[0] == kRolls ? kNamed : doubtAt(v(4), signals);
 }
 
 double Oscillator::doubtAt(double frequency, const Signals& signals) {
-  constexpr double kAll = 0.2;  // As the loss itself: all of it a fifth above what is kept
-  return signals.keptHz > 0.0 ? kUnusual * std::clamp((frequency / signals.keptHz - 1.0) / kAll, 0.0, 1.0) : 0.0;
+  // As the loss itself: all of it a fifth above what is kept.
+  return signals.keptHz > 0.0 ? kNamed * std::clamp((frequency / signals.keptHz - 1.0) / kFifth, 0.0, 1.0) : 0.0;
 }
 
 std::vector<Parameter> Oscillator::parameters(double lowest, double highest) {

@@ -104,10 +104,9 @@ std::vector<double> burstsIn(const Signals& signals, const std::vector<Stretch>&
 }
 
 bool noiseSwitches(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
-  constexpr std::size_t kFewest = 20;
   const Parts parts = partsOf(signals, stretches, fit);
   const std::size_t count = parts.from.size();
-  if (count < kFewest) return false;
+  if (std::cmp_less(count, kFewestSamples)) return false;
   const Eigen::Index m = signals.samplesPerBlock;
   // Noise that grows with the motion, however that is measured, is alike in parts next to one another.
   std::array<std::vector<std::pair<double, std::size_t>>, 3> orders;

@@ -150,9 +150,6 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
   // most.
   constexpr double kPlain = 0.87;
   constexpr double kLoudAlone = 6.0;  // Times the power of the noise
-  // A jump throws a spring as far beyond where it will rest. Of thirteen after hard stops the largest was 0.25 of that;
-  // where doors slammed and the floor shook, 1.1 to 2.
-  constexpr double kAtMost = 1.0;
   if (signals.rateHz < 2.5 * kSoftestMountHz || contacts.empty()) return std::nullopt;
   const Wrenches expected = predicted(signals, model);
   const Wrenches raw = signals.readings - expected;
@@ -182,8 +179,9 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
     const MatrixXd amplitudes = swings.transpose() * window.left;
     const double explained = amplitudes.squaredNorm(),
                  begins = (swings * amplitudes).topRows(4).rowwise().norm().maxCoeff();
+    // A jump throws a spring as far beyond where it will rest, and no farther.
     if (explained > kPlain * (window.power - static_cast<double>(window.left.size())))
-      all.push_back({&window, explained, begins > kAtMost * window.setOff});
+      all.push_back({&window, explained, begins > window.setOff});
   }
   if (all.empty()) return std::nullopt;
   out.struck = std::ranges::all_of(all, &Rings::struck);

@@ -51,7 +51,6 @@ double toldFromElsewhere(const MatrixXd& motion, const Wrenches& residual, const
 Correlate actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
   constexpr double kNear = 4e-3, kKnown = 8e-3;  // [m] To be there; largest deviation of where it acts
   // One or two may be there by chance, unless it is known exactly: of 24 touches none acted within 25 mm.
-  constexpr std::size_t kFew = 3;
   constexpr double kExactly = 3e-3;  // [m]
   const auto length = static_cast<Eigen::Index>(std::max(1.0, std::round(0.1 * signals.blockRate())));
   Matrix3d A = Matrix3d::Zero();
@@ -86,7 +85,7 @@ Correlate actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const s
     all += w.tail<3>().squaredNorm();
   }
   const double deviation = std::sqrt(A.inverse().diagonal().maxCoeff() * left / (3.0 * many));
-  const bool few = contacts.size() < kFew;
+  const bool few = contacts.size() < kAgainAndAgain;
   if (deviation > (few ? kExactly : kKnown)) return {};
   const double near = few ? kNear : std::max(kNear, 3.0 * deviation);
   if (left < kSmallShare * all && (place - centre).norm() < near)
@@ -209,10 +208,10 @@ Correlate lawOf(const Signals& signals, const Fit& fit, const std::vector<Contac
     for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n)
       inContact[static_cast<std::size_t>(n)] = everywhere[static_cast<std::size_t>(n)] = true;
   constexpr std::size_t kFewestInZone = 4;
-  constexpr double kFollows = 0.27, kFollowsInZone = 0.5, kFollowsSquare = 0.5;
+  constexpr double kFollows = 0.27;
   std::vector<Law> laws = lawsOfMotors(signals);
-  laws.push_back({heft::toSay("how fast the tool moves"), motion.topRows<3>(), kFollows, kFollowsInZone});
-  laws.push_back({heft::toSay("how fast the tool turns"), motion.bottomRows<3>(), kFollows, kFollowsInZone});
+  laws.push_back({heft::toSay("how fast the tool moves"), motion.topRows<3>(), kFollows, kMajority});
+  laws.push_back({heft::toSay("how fast the tool turns"), motion.bottomRows<3>(), kFollows, kMajority});
   // Whichever way, as what shakes or cools a sensor; bias and payload take the mean.
   const auto squareOf = [&](const auto& velocity) {
     MatrixXd out = MatrixXd::Ones(2, blocks);
@@ -220,8 +219,8 @@ Correlate lawOf(const Signals& signals, const Fit& fit, const std::vector<Contac
     out.row(1) /= std::max(1e-12, out.row(1).maxCoeff());
     return out;
   };
-  laws.push_back({heft::toSay("how fast the tool moves"), squareOf(motion.topRows<3>()), kFollowsSquare});
-  laws.push_back({heft::toSay("how fast the tool turns"), squareOf(motion.bottomRows<3>()), kFollowsSquare});
+  laws.push_back({heft::toSay("how fast the tool moves"), squareOf(motion.topRows<3>()), kMajority});
+  laws.push_back({heft::toSay("how fast the tool turns"), squareOf(motion.bottomRows<3>()), kMajority});
   Correlate best;
   double most = 0.0;
   const auto ask = [&](const Law& law, const std::vector<bool>& known, double follows) {

@@ -41,8 +41,8 @@ bool comesLate(const Signals& signals, const Fit& fit, const std::vector<Contact
 }
 
 bool areShifted(const Signals& signals, const std::vector<Contact>& contacts, const Beyond& beyond) {
-  constexpr double kFarthest = 0.3, kStep = 0.25;  // [s], [blocks]
-  const auto most = static_cast<int>(kFarthest * signals.blockRate() / kStep);
+  constexpr double kStep = 0.25;  // [blocks]
+  const auto most = static_cast<int>(kEventGap * signals.blockRate() / kStep);
   double all = 0.0, left = 0.0;
   for (const Contact& contact : contacts) {
     double least = 1e300, asItIs = 0.0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/diagnosis/calibration.h"
@@ -25,7 +26,6 @@ MatrixXd motionColumns(const Recording& recording) {
 double cornersEvery(const MatrixXd& columns, double rateHz) {
   constexpr double kCorner = 20.0;  // Times the usual bend from row to row
   constexpr double kMost = 0.5;     // [s]
-  constexpr std::size_t kFewest = 20;
   const Eigen::Index n = columns.rows();
   if (n < 3) return 0.0;
   std::vector<double> bends;
@@ -40,7 +40,7 @@ double cornersEvery(const MatrixXd& columns, double rateHz) {
   for (std::size_t i = 0; i < bends.size(); ++i)
     if (bends[i] > corner && (corners.empty() || static_cast<double>(i) > corners.back() + 2.0))
       corners.push_back(static_cast<double>(i));
-  if (corners.size() < kFewest) return 0.0;
+  if (std::cmp_less(corners.size(), kFewestSamples)) return 0.0;
   for (std::size_t i = 1; i < corners.size(); ++i) apart.push_back(corners[i] - corners[i - 1]);
   const double usual = median(apart);
   const auto regular = std::ranges::count_if(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis/calibration.h"
 #include "core/recording/frozen.h"
 
 namespace heft::diagnosis {
@@ -73,12 +74,11 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording
 
 std::optional<FrozenChannel> frozenChannel(const Recording& recording, const std::vector<FlatTop>& tops,
                                            const Vector6d& steps) {
-  constexpr double kShortest = 0.3;  // [s]
   std::optional<FrozenChannel> out;
   const Changes rows = changesOf(recording.wrench);
   for (Eigen::Index c = 0; c < 6; ++c) {
     if (steps.segment<3>(c < 3 ? 0 : 3).maxCoeff() > 0.0) continue;
-    for (const FrozenStretch& still : frozenStretches(recording.time, changesOf(recording.wrench.col(c)), kShortest)) {
+    for (const FrozenStretch& still : frozenStretches(recording.time, changesOf(recording.wrench.col(c)), kEventGap)) {
       const double value = recording.wrench(still.from, c), from = recording.time(still.from),
                    to = recording.time(still.to - 1);
       const bool atEnd = std::ranges::any_of(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "core/diagnosis/calibration.h"
 #include "core/math/statistics.h"
@@ -62,14 +63,13 @@ bool makesUp(const Recording& recording, Eigen::Index from, Eigen::Index to) {
 }  // namespace
 
 std::vector<Held> heldRows(const Recording& recording) {
-  constexpr double kLonger = 5.0;  // Times the usual run
   const auto runs = wrenchRuns(recording.wrench);
   const double usual = static_cast<double>(recording.rows()) / std::max(1.0, static_cast<double>(runs.size()));
   std::vector<Held> out;
   Eigen::Index count = 0;
   for (const auto& [from, to] : runs) {
     const double lasts = recording.time(to - 1) - recording.time(from);
-    if (lasts < kShortestGap || static_cast<double>(to - from) < kLonger * usual) continue;
+    if (lasts < kShortestGap || static_cast<double>(to - from) < kStandsOut * usual) continue;
     Held run{from + 1, to};
     run.motionToo = stoodStill(recording, run);
     out.push_back(run);
@@ -155,7 +155,6 @@ Runs replayedRuns(const Recording& recording) {
 }
 
 Runs zeroRuns(const Recording& recording) {
-  constexpr Eigen::Index kFewest = 3;
   Runs out;
   Eigen::Index count = 0;
   for (const auto& [from, to] : wrenchRuns(recording.wrench)) {
@@ -163,7 +162,7 @@ Runs zeroRuns(const Recording& recording) {
     out.emplace_back(from, to);
     count += to - from;
   }
-  if (count < kFewest) out.clear();
+  if (std::cmp_less(count, kAgainAndAgain)) out.clear();
   return out;
 }
 

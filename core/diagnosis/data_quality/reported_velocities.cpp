@@ -19,11 +19,9 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kEdge = 0.5;        ///< [s] left out at either end, where filters settle
-constexpr double kLongest = 0.4;     ///< [s] of lag that is looked for
-constexpr double kLagNamed = 0.003;  ///< [s]
-constexpr double kLossNamed = 0.03;
-constexpr double kNoiseNamed = 0.05;     ///< Of the motion's own speed
+constexpr double kEdge = 0.5;            ///< [s] left out at either end, where filters settle
+constexpr double kLongest = 0.4;         ///< [s] of lag that is looked for
+constexpr double kLagNamed = 0.003;      ///< [s]
 constexpr double kNoiseMatters = 0.004;  ///< [rad/s, m/s]; less is how finely velocities are reported
 constexpr double kMemory = 0.05;         ///< [s] over which what is left over does not change
 
@@ -216,14 +214,14 @@ std::vector<Direct> reportedVelocities(const Recording& recording, const Motion&
     out.push_back(std::move(found));
   }
   const double scale = lags ? late.scale : plain.scale;
-  if (std::abs(scale - 1.0) > kLossNamed) {
+  if (std::abs(scale - 1.0) > kFormError) {
     Direct found;
     found.cause = ids::derivativeNoise;
     found.ofVelocities = true;
     found.parameters = {{"loss", "%", 100.0 * (1.0 - scale), 0.5}};
     out.push_back(std::move(found));
   } else if (const double noise = comparison.leftOver(lags ? late : plain);
-             !lags && noise > std::max(kNoiseMatters, kNoiseNamed * comparison.speed())) {
+             !lags && noise > std::max(kNoiseMatters, kTinyShare * comparison.speed())) {
     Direct found;
     found.cause = ids::derivativeNoise;
     found.ofVelocities = true;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/model/noise.h"
 #include "core/math/periodogram.h"
 #include "core/math/statistics.h"
@@ -40,7 +41,6 @@ std::vector<Eigen::Index> windowsOf(const Recording& recording, const Signals& s
 }  // namespace
 
 std::optional<Hum> humIn(const Recording& recording, const Signals& signals) {
-  constexpr double kBroad = 0.25;                  ///< Of a line's power, two hertz to either side; a taper leaves 0.1
   constexpr Eigen::Index kBeside = 10, kNear = 2;  ///< Lines, a hertz apart
   const double rate = recording.rateHz();
   const auto length = static_cast<Eigen::Index>(std::lround(rate));
@@ -72,8 +72,8 @@ std::optional<Hum> humIn(const Recording& recording, const Signals& signals) {
         if (std::abs(j - k) > kNear) beside.push_back(power(c, j));
       const double floor = median(beside);
       line(c) = std::max(0.0, power.row(c).segment(k - 1, 3).sum() - 3.0 * floor);
-      // What rings between knocks is broader than what turns.
-      const bool narrow = power(c, k - 2) + power(c, std::min(last - 1, k + 2)) < kBroad * power(c, k);
+      // What rings between knocks is broader than what turns, of which a taper leaves 0.1 two hertz to either side.
+      const bool narrow = power(c, k - 2) + power(c, std::min(last - 1, k + 2)) < kQuarter * power(c, k);
       if (!narrow || power(c, k) <= stands * floor) continue;
       stands = power(c, k) / std::max(floor, 1e-300);
       share = line(c) / power.row(c).tail(last - first + 1).sum();

@@ -27,7 +27,6 @@ struct AlternativeExplanation {
 AlternativeExplanation alternativeExplanationOf(const Signals& whole, SignatureBank& bank, const Search& found,
                                                 const std::vector<Contact>& contacts,
                                                 const std::vector<Stretch>& holes) {
-  constexpr double kShareOfContact = 0.9;
   std::vector<std::string_view> causes;
   for (const auto& cause : catalogue())
     if (cause->id() != ids::contact && cause->id() != kRandomWalk) causes.push_back(cause->id());
@@ -46,7 +45,7 @@ AlternativeExplanation alternativeExplanationOf(const Signals& whole, SignatureB
       out.cause = causeOf(other->model.terms.back());
     }
   out.share = 1.0 - evidenceOf(left) / evidenceOf(contacts);
-  out.contacts = out.share > kShareOfContact ? std::move(left) : contacts;
+  out.contacts = out.share > kNearlyAll ? std::move(left) : contacts;
   return out;
 }
 

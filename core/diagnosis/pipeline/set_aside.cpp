@@ -187,7 +187,6 @@ void setUnexplainedAside(Hypothesis& hypothesis, const Signals& whole) {
 }
 
 void setTouchesAside(Hypothesis& hypothesis) {
-  constexpr std::ptrdiff_t kMostTouches = 4;
   Search& search = hypothesis.search;
   const auto found =
       std::find_if(search.found.begin(), search.found.end(), [](const Found& f) { return f.cause == ids::contact; });
@@ -215,7 +214,7 @@ void setTouchesAside(Hypothesis& hypothesis) {
   const bool touched = wereTouches(peak, evidence, longest, hypothesis);
   search.found.erase(found);
   Model model = without(search.final.model, ids::contact);
-  if (durationOf(touches) < kQuarter * signals.duration() && std::ssize(touches) <= kMostTouches && touched) {
+  if (durationOf(touches) < kQuarter * signals.duration() && std::ssize(touches) <= kOverfitted && touched) {
     Signals less = signals;
     leaveOut(less, blocksOf(touches));
     if (auto stretches = stretchesOf(less.usable); !stretches.empty()) {
@@ -234,9 +233,8 @@ void setTouchesAside(Hypothesis& hypothesis) {
 }
 
 void setKnocksAside(Hypothesis& hypothesis) {
-  /// Of five recordings with two or more, and nothing longer, none had been touched
-  constexpr std::ptrdiff_t kKnocks = 3;
-  if (std::ssize(hypothesis.contacts) < kKnocks ||
+  // Of five recordings with two or more, and nothing longer, none had been touched.
+  if (hypothesis.contacts.size() < kAgainAndAgain ||
       std::ranges::any_of(hypothesis.contacts, [](const Contact& c) { return c.to - c.from > kKnockLasts; }))
     return;
   setAllAside(hypothesis, heft::toSay("short knocks"));

@@ -37,16 +37,11 @@ MatrixXd normalised(MatrixXd features) {
   return features;
 }
 
-/// Share of what is left that is no structure whatever its gain: of 20 unknown effects the least was 0.014; what
-/// corners of a motion left of one clean recording, 0.008.
-constexpr double kHardlyAny = 0.01;
 /// Beyond the usual, for waves of many angles. Of 90 recordings without any, chance gave one 20, the next 13, and no
 /// other kind of structure more than 7; four with some had 290 and more, the weakest of the tests about 40.
 constexpr double kManyWaves = 10.0;
 /// Times such doubts where the zero walks: one clean recording that did had 19 beyond the usual.
 constexpr double kMoreBesideWalk = 1.5;
-/// At most, of accelerations where the motion is noisy: one clean recording had 34.
-constexpr double kManyNoisyWaves = 20.0;
 
 /// All rows and the products of each pair of them.
 MatrixXd withProducts(const MatrixXd& rows) {
@@ -147,7 +142,7 @@ std::vector<Group> groups(const Signals& signals, const Fit& fit) {
       out.push_back({heft::toSay("the joint angles, several times a turn"),
                      {},
                      ripplesOfGears(signals, fit.model.x.tail<10>()),
-                     std::clamp(leftByNoise(signals), kManyWaves, kManyNoisyWaves)});
+                     std::clamp(leftByNoise(signals), kManyWaves, kNamed)});
   }
   out.push_back({heft::toSay("the load on the sensor"), withProducts(normalised(kin.specificForce))});
   MatrixXd cubes = normalised(kin.specificForce);
@@ -302,7 +297,7 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
   const MatrixXd jacobian = CachedJacobian(signals, fit.model).jacobian();
   const bool wanders = hasRandomWalk(fit.model);
   // Beside a zero that wanders, what its waves leave over is no structure yet.
-  const double ofWalk = wanders ? kUnusual + kFormError * gainOfWalk(fit, jacobian, stretches) : 0.0;
+  const double ofWalk = wanders ? kNamed + kFormError * gainOfWalk(fit, jacobian, stretches) : 0.0;
   // A strong structure hides behind the long memory of a noise that was learned from it: hence without memory too.
   const std::array<WhitenedResidual, 2> grounds{
       WhitenedResidual(stretches, fit, jacobian, fit.noise, false),
@@ -348,7 +343,7 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
   std::array<BestWave, 2 * kKinds.size()> waves;
   parallelFor(waves.size(),
               [&](std::size_t i) { waves[i] = bestWave(signals, kKinds[i / 2], grounds[i % 2], lnN, fastest); });
-  const double colour = (wanders ? kMoreBesideWalk : 1.0) * kUnusual;
+  const double colour = (wanders ? kMoreBesideWalk : 1.0) * kNamed;
   for (std::size_t i = 0; i < waves.size(); ++i) {
     const auto& [wave, frequency] = waves[i];
     if (wave.gain - colour <= best.gain) continue;

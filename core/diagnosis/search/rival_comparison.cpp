@@ -139,10 +139,9 @@ VectorXd spreadOf(const Model& model, std::string_view cause, const std::vector<
 /// where, as far as the tool turns, the zero may have jumped; or all gains grow like a load: how well either fits is
 /// not known better than to a share of what both explain.
 double slackBetween(std::string_view a, std::string_view b, double gain) {
-  constexpr double kShareOfLoad = 0.01;
   const CauseInfo &one = infoOf(a), &other = infoOf(b);
   if (one.begins && other.begins) return kEventError * gain;
-  if (one.scalesWithLoad && other.scalesWithLoad) return kShareOfLoad * gain;
+  if (one.scalesWithLoad && other.scalesWithLoad) return kHardlyAny * gain;
   return lags(a) && lags(b) ? kTwinError * gain : enlarges(a) && enlarges(b) ? kTwinError * gain : 0.0;
 }
 
@@ -152,7 +151,7 @@ double slackBetween(std::string_view a, std::string_view b, double gain) {
 /// there was one, 10 ahead or more).
 /// `oneCourse`: whether a walk whose place is in question is one course of all channels.
 double leadFor(const Found& found, const Rival& rival, bool oneCourse) {
-  constexpr double kUsual = 2.0, kFaintDrift = 5.0, kPlainWalk = 12.0;
+  constexpr double kUsual = 2.0, kPlainWalk = 12.0;
   const bool walkGoes = found.cause == kRandomWalk, walkComes = rival.cause == kRandomWalk;
   if (!walkGoes && !walkComes) return kUsual;
   if (oneCourse && walkGoes && rival.cause == ids::biasDrift) return -kMajority * found.gain;
@@ -160,9 +159,9 @@ double leadFor(const Found& found, const Rival& rival, bool oneCourse) {
   if (walkGoes && isMoreThanWalk(rival.cause, found.gain - rival.behind, found.gain)) return -found.gain;
   if (walkComes && isMoreThanWalk(found.cause, found.gain, found.gain - rival.behind)) return found.gain;
   if (walkGoes && rival.anyCourse) return kUsual;
-  if ((walkGoes ? rival.cause : found.cause) != ids::biasDrift) return walkGoes ? kFaintDrift : kUsual;
+  if ((walkGoes ? rival.cause : found.cause) != ids::biasDrift) return walkGoes ? kJump : kUsual;
   const double drift = walkGoes ? found.gain - rival.behind : found.gain;
-  const double ahead = drift < kFaint ? kFaintDrift : -kPlainWalk;  // Of the walk, for the drift to be named
+  const double ahead = drift < kFaint ? kJump : -kPlainWalk;  // Of the walk, for the drift to be named
   return walkGoes ? ahead : -ahead;
 }
 

@@ -26,7 +26,7 @@ double neededBeside(const Model& model, double explained, double wanders, const 
   const Term& added = trial.fit.model.terms.back();
   const bool beside =
       std::ranges::any_of(model.terms, [&](const Term& t) { return causeOf(t) != cause && !t.form->walk; });
-  if (added.form->atOnce && causeOf(added) == cause && beside) out += kUnusual + kFormError * explained;
+  if (added.form->atOnce && causeOf(added) == cause && beside) out += kNamed + kFormError * explained;
   return out;
 }
 

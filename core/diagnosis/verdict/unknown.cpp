@@ -68,7 +68,7 @@ Claim suddenChanges(const Asked& asked, const WhatRemains&) {
   constexpr std::ptrdiff_t kFewestFar = 2;
   /// StepCandidate::size, and where nothing else was found: of 504 clean recordings one had three above 30, seven had
   /// one, one had one above 40. What else is named may leave some.
-  constexpr double kFar = 80.0, kFarAlone = 40.0;
+  constexpr double kFarAlone = 40.0, kFar = 2.0 * kFarAlone;
   constexpr double kSlower = 0.4;  ///< [s] Smaller steps need longer means
   const Hypothesis& h = asked.hypothesis;
   auto steps = stepCandidatesIn(h.signals, h.stretches, asked.residual);
