@@ -34,7 +34,7 @@ std::vector<Vector3d> places(const Signals& signals) {
 /// Forms of one that has a length: fixed to each side of the tool's places, taut at a quarter of them, at half, or at
 /// all.
 std::vector<Form> tautForms(const Cause* cause, const Signals& signals) {
-  constexpr double kReach = 0.7, kFarthest = 4.0;  // [m]
+  constexpr double kFarthest = 4.0;  // [m]
   const std::vector<Vector3d> all = places(signals);
   const Vector3d centre = middle(signals);
   std::vector<Form> out;
@@ -43,7 +43,7 @@ std::vector<Form> tautForms(const Cause* cause, const Signals& signals) {
       for (int z = -1; z <= 1; ++z) {
         const int axes = std::abs(x) + std::abs(y) + std::abs(z);
         if (axes == 0 || axes == 2) continue;
-        const Vector3d anchor = centre + kReach * Vector3d(x, y, z).normalized();
+        const Vector3d anchor = centre + kToolReach * Vector3d(x, y, z).normalized();
         std::vector<double> far;
         for (const Vector3d& p : all) far.push_back((p - anchor).norm());
         std::ranges::sort(far);
@@ -242,7 +242,7 @@ class CablePull final : public Cause {
   double doubt(const Form& form, const VectorXd& v, const Signals&) const override {
     const int kind = form.choice[0];
     const bool oneWay = kind == kSpring || kind == kAway || kind == kTwist;
-    return oneWay && v(0) < 0.0 ? kPushes : 0.0;
+    return oneWay && v(0) < 0.0 ? kFaint : 0.0;
   }
   /// Springs along several lines pull back, whichever way the tool goes; what hardly does is a constant pull.
   bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
@@ -252,7 +252,7 @@ class CablePull final : public Cause {
     if (kind != kAllWays) return std::abs(v(0)) > kDeviations * std(0);
     const Vector3d along = tensor(v.head<6>()).selfadjointView<Eigen::Lower>().eigenvalues();
     const double off = std.head<6>().maxCoeff();
-    return along.minCoeff() > -kDeviations * off && along.maxCoeff() > kManyDeviations * off;
+    return along.minCoeff() > -kDeviations * off && along.maxCoeff() > kStandsOut * off;
   }
 };
 

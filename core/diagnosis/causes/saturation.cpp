@@ -58,7 +58,7 @@ class Saturation final : public Cause {
     if (!signals.range || signals.readings.cols() == 0) return 0.0;
     const auto channel = signals.readings.row(form.choice[0]);
     const double most = form.choice[1] > 0 ? channel.maxCoeff() : -channel.minCoeff();
-    return most < kClearMajority * (*signals.range)(form.choice[0]) ? kNever : 0.0;
+    return most < kMajority * (*signals.range)(form.choice[0]) ? kNever : 0.0;
   }
   bool linear(const Form&) const override { return false; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {

@@ -44,7 +44,7 @@ double ownStep(const Recording& recording, Eigen::Index channel) {
   }
   if (static_cast<double>(still) < kMajority * static_cast<double>(fresh)) return 0.0;
   const auto step = stepOf({y.begin(), y.end()});
-  return step && *step * *step / 12.0 > kQuarter * scatterOf(y, recording.rateHz()) ? *step : 0.0;
+  return step && *step * *step / 12.0 > kMinorShare * scatterOf(y, recording.rateHz()) ? *step : 0.0;
 }
 
 }  // namespace

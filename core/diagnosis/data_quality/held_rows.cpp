@@ -57,7 +57,7 @@ bool makesUp(const Recording& recording, Eigen::Index from, Eigen::Index to) {
   for (Eigen::Index i = std::max<Eigen::Index>(1, from - reach); i < from; ++i) take(i);
   for (Eigen::Index i = to + 1; i < std::min(recording.rows(), to + 1 + reach); ++i) take(i);
   return static_cast<double>(moves) > kLargeShare * static_cast<double>(steps.size()) &&
-         stepTo(recording, to) > kClearMajority * static_cast<double>(length + 1) * median(std::move(steps));
+         stepTo(recording, to) > kMajority * static_cast<double>(length + 1) * median(std::move(steps));
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ std::vector<Held> heldRows(const Recording& recording) {
     out.push_back(run);
     count += run.to - run.from;
   }
-  if (static_cast<double>(count) > kQuarter * static_cast<double>(recording.rows())) out.clear();
+  if (static_cast<double>(count) > kMinorShare * static_cast<double>(recording.rows())) out.clear();
   return out;
 }
 
@@ -127,12 +127,11 @@ Runs staleRuns(const Recording& recording) {
 }
 
 Runs replayedRuns(const Recording& recording) {
-  constexpr Eigen::Index kFewest = 15;
   std::map<std::array<double, 6>, Eigen::Index> last;  // Row at which a reading was seen
   Runs out;
   Eigen::Index from = 0, back = 0, fresh = 0;  // The run so far: how many rows before it was read first
   const auto ends = [&](Eigen::Index to) {
-    if (back > 0 && to - from >= kFewest && recording.time(to - 1) - recording.time(from) >= kShortestGap &&
+    if (back > 0 && to - from >= kFewestSamples && recording.time(to - 1) - recording.time(from) >= kShortestGap &&
         static_cast<double>(fresh) > kLargeShare * static_cast<double>(to - from))
       out.emplace_back(from, to);
     from = to;
@@ -178,8 +177,7 @@ void straightOver(const Runs& runs, const VectorXd& time, Eigen::Ref<MatrixXd> r
 }
 
 void refresh(Recording& cleaned, const Recording& recording, Runs stale, const std::vector<Held>& notJudged) {
-  // [s] Across more than that, a hand's tremor is guessed: then readings had better be late
-  constexpr double kLongest = 0.02;
+  // Across more than that, a hand's tremor is guessed: then readings had better be late.
   std::erase_if(stale, [&](const auto& run) {
     return stoodStill(recording, {run.first, run.second}) ||
            std::ranges::any_of(notJudged, [&](const Held& held) { return held.from == run.first; });
@@ -190,7 +188,7 @@ void refresh(Recording& cleaned, const Recording& recording, Runs stale, const s
     sum += lasts;
     squares += lasts * lasts;
   }
-  if (squares > kLongest * sum) return;
+  if (squares > kShortestGap * sum) return;
   std::vector<bool> old(static_cast<std::size_t>(recording.rows()), false);
   for (const auto& [from, to] : stale) std::fill(old.begin() + from, old.begin() + to, true);
   const VectorXd& time = cleaned.time;

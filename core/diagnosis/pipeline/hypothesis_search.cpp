@@ -153,7 +153,7 @@ void shortenTheLongest(Hypothesis& hypothesis, const Signals& whole, SearchOptio
   const auto at = std::ranges::max_element(others, {}, [](const Contact& c) { return c.to - c.from; });
   const Contact longest = *at;
   const double lasts = longest.to - longest.from;
-  if (lasts < kQuarter * whole.duration()) return;
+  if (lasts < kMinorShare * whole.duration()) return;
   others.erase(at);
   Hypothesis judged;
   judged.mountTurnReported = hypothesis.mountTurnReported;
@@ -171,7 +171,7 @@ void shortenTheLongest(Hypothesis& hypothesis, const Signals& whole, SearchOptio
   std::fill(rest.begin() + longest.blocks.from, rest.begin() + longest.blocks.to, true);
   for (const Stretch& hole : holes) std::fill(rest.begin() + hole.from, rest.begin() + hole.to, false);
   const std::vector<Contact> left = contactsAmong(stretchesOf(rest));
-  if (contains(judged.search.final.model, ids::contact) || durationOf(left) > kQuarter * lasts) return;
+  if (contains(judged.search.final.model, ids::contact) || durationOf(left) > kMinorShare * lasts) return;
   for (const Contact& contact : left) holes.push_back(contact.blocks);
   std::ranges::sort(holes, {}, &Stretch::from);
   if (!left.empty()) {

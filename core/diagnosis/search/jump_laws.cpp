@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/search/search.h"
 
@@ -24,11 +25,10 @@ std::vector<std::pair<double, double>> jumpsOf(const Model& model, Eigen::Index 
 }  // namespace
 
 bool jumpWithTheirReading(const Signals& signals, const Model& model) {
-  constexpr double kAround = 0.06;  // [s]
   if (std::ranges::count_if(model.terms, [](const Term& t) { return causeOf(t) == ids::sensorBias; }) < 2) return false;
   const Wrenches reads = valueOf(signals, without(model, ids::sensorBias));
   const Eigen::Index blocks = signals.blocks(),
-                     around = std::max<Eigen::Index>(1, std::lround(kAround * signals.blockRate()));
+                     around = std::max<Eigen::Index>(1, std::lround(kMoment * signals.blockRate()));
   for (Eigen::Index c = 0; c < 6; ++c) {
     const auto jumps = jumpsOf(model, c);
     if (jumps.size() < 2) continue;

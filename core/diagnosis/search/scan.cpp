@@ -275,7 +275,7 @@ Candidate OnsetRefinement::refined(const Candidate& candidate) const {
   const auto at = [&](double time) { return signatureAt(time, candidate.form, around_->surroundings); };
   // Where the squares fall most, whatever the noise's memory; then block by block, the noise learned anew.
   double about = candidate.v(0), most = -1e300;
-  for (double off = -kEventGap; off < kEventGap + 0.5 * kMoment; off += kMoment) {
+  for (double off = -kEvent; off < kEvent + 0.5 * kMoment; off += kMoment) {
     const double squares = around_->plain.firstGuess(at(candidate.v(0) + off), around_->lnN).squares;
     if (squares <= most) continue;
     most = squares;

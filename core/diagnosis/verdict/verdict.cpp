@@ -78,7 +78,7 @@ bool isContactDoubtful(const std::vector<DiagnosedCause>& causes) {
     if (cause.id == ids::contact) touch += cause.deltaBic;
     if (!cause.direct) others += cause.deltaBic;
   }
-  return touch > 0.0 && touch < std::min(kFaintTouch, kManyTimes * others);
+  return touch > 0.0 && touch < std::min(kFaintTouch, kStandsOut * others);
 }
 
 /// Evidence of all fitted causes together where it is little; zero where it is not, or where there are none.
@@ -120,7 +120,7 @@ std::optional<Structure> dropSlight(const Hypothesis& hypothesis, std::vector<Di
     // What has its place in time is hardly seen elsewhere.
     const bool local =
         std::ranges::any_of(model.terms, [&](const Term& t) { return causeOf(t) == c.id && t.form->local; });
-    return !c.direct && !local && c.id != ids::contact && c.gain.explainedFraction < kQuarter &&
+    return !c.direct && !local && c.id != ids::contact && c.gain.explainedFraction < kMinorShare &&
            c.deltaBic < kBroadError * strongest;
   };
   Model rest = model;
@@ -134,10 +134,9 @@ std::optional<Structure> dropSlight(const Hypothesis& hypothesis, std::vector<Di
 /// Takes out a loose part that may have no mass, as far as that is known once other trials of its form are counted:
 /// what makes up for something unknown. Whether there was any.
 bool dropUnknownMasses(std::vector<DiagnosedCause>& causes) {
-  constexpr double kKnown = 2.0;  // Deviations as they are told
   return std::erase_if(causes, [](const DiagnosedCause& c) {
            const CauseParameter* mass = c.id == ids::looseMass ? findParameter(c.parameters, "mass") : nullptr;
-           return mass != nullptr && std::abs(mass->value) < kKnown * mass->std;
+           return mass != nullptr && std::abs(mass->value) < kDeviations * mass->std;
          }) > 0;
 }
 
