@@ -30,6 +30,7 @@ bool isAnother(const Fit& rested, const Fit& fit) {
 
 /// Without the noise: zero but for where any channel stands out, and around it.
 Wrenches standingOut(const Wrenches& of) {
+  constexpr Eigen::Index kAround = 3;  // Blocks
   Vector6d usual;
   for (Eigen::Index c = 0; c < 6; ++c) {
     const VectorXd channel = of.row(c).transpose();
@@ -38,8 +39,7 @@ Wrenches standingOut(const Wrenches& of) {
   Wrenches out = Wrenches::Zero(6, of.cols());
   for (Eigen::Index n = 0; n < of.cols(); ++n) {
     if (of.col(n).cwiseAbs().cwiseQuotient(usual).maxCoeff() < kStandsOut) continue;
-    const Eigen::Index from = std::max<Eigen::Index>(0, n - kMomentBlocks),
-                       to = std::min(of.cols(), n + kMomentBlocks + 1);
+    const Eigen::Index from = std::max<Eigen::Index>(0, n - kAround), to = std::min(of.cols(), n + kAround + 1);
     out.middleCols(from, to - from) = of.middleCols(from, to - from);
   }
   return out;
@@ -48,6 +48,7 @@ Wrenches standingOut(const Wrenches& of) {
 }  // namespace
 
 void weighSharpMotion(std::vector<SmoothingCandidate>& candidates, const SmoothingCandidate& sharper, bool held) {
+  constexpr Eigen::Index kReach = 2;  // Blocks: a filter rings
   const Signals& least = candidates[kUsualSmoothing].signals;
   const auto stretches = untouched(least, candidates[kUsualSmoothing]);
   if (stretches.empty()) return;
@@ -79,8 +80,7 @@ void weighSharpMotion(std::vector<SmoothingCandidate>& candidates, const Smoothi
     std::size_t next = i + 1;
     while (next < candidates.size() && candidates[next].signals.denoised) ++next;
     if (next >= candidates.size()) continue;
-    Wrenches noiseScale =
-        blurred((noise.cwiseInverse().asDiagonal() * (made[i] - made[next])).cwiseAbs2(), kMomentBlocks);
+    Wrenches noiseScale = blurred((noise.cwiseInverse().asDiagonal() * (made[i] - made[next])).cwiseAbs2(), kReach);
     // A motion that reaches one deviation of the noise nowhere is smooth enough.
     if (noiseScale.maxCoeff() > 1.0)
       candidates[i].signals.noiseScale = std::make_shared<const NoiseScale>(std::move(noiseScale));

@@ -132,10 +132,11 @@ class DerivativeNoise final : public Cause {
   /// needs no more smoothing than usual has most there: 0.03 to 0.11 in eight recordings that a fine tremor of 1e-5 rad
   /// shook.
   double overOwnErrors(const Form& form, const VectorXd& v, const Signals& signals) const override {
-    constexpr double kOwn = 0.1, kOwnLoss = 0.005, kUsual = kKeptTwiced * kDefaultCutoffHz;
+    constexpr double kOwn = 0.06, kOwnAsUsual = 0.2, kOwnLoss = 0.005, kUsual = kKeptTwiced * kDefaultCutoffHz;
     if (form.choice.empty()) return std::abs(v(0)) / kOwnLoss;
     const bool usual = signals.keptHz <= 0.0;
-    return lostAt(2.0 * std::numbers::pi * (usual ? kUsual : signals.keptHz), form.choice[0], v(0)) / kOwn;
+    return lostAt(2.0 * std::numbers::pi * (usual ? kUsual : signals.keptHz), form.choice[0], v(0)) /
+           (usual ? kOwnAsUsual : kOwn);
   }
   /// Smoothing takes more of what is faster, never one share of everything: of 336 clean recordings of six simulators
   /// none had one that much speaks for.

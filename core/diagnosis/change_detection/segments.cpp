@@ -115,10 +115,11 @@ std::optional<double> shareNotLost(const Signals& signals, const LeftOfForce& le
 
 /// Whether it is what the smoothing of the motion leaves where a motor's force jumps.
 bool isSmoothed(const Signals& signals, const LeftOfForce& left, const Contact& contact) {
+  constexpr double kRingsOut = 0.4;  // [s]
   const auto share = shareNotLost(signals, left, contact.blocks);
   if (share && *share < kMajority) return true;
   const bool has = !share || *share < kNearlyWhole || signals.lost == nullptr || signals.lost->size() < kAgainAndAgain;
-  return has && contact.to - contact.from < kEvent && turnsRound(left, contact.blocks);
+  return has && contact.to - contact.from < kRingsOut && turnsRound(left, contact.blocks);
 }
 
 }  // namespace

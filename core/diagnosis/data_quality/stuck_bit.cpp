@@ -24,10 +24,11 @@ std::vector<double> usualOnes(std::vector<double> readings) {
 
 /// Gaps between readings in order that are many times wider than chance leaves.
 std::vector<Gap> gapsIn(const std::vector<double>& ordered) {
+  constexpr double kTimes = 30.0;
   const double usual = (ordered.back() - ordered.front()) / static_cast<double>(ordered.size());
   std::vector<Gap> out;
   for (std::size_t i = 0; i + 1 < ordered.size(); ++i)
-    if (const double width = ordered[i + 1] - ordered[i]; width > kFarOut * usual) out.push_back({ordered[i], width});
+    if (const double width = ordered[i + 1] - ordered[i]; width > kTimes * usual) out.push_back({ordered[i], width});
   return out;
 }
 

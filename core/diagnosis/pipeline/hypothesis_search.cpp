@@ -153,7 +153,7 @@ void shortenTheLongest(Hypothesis& hypothesis, const Signals& whole, SearchOptio
   const auto at = std::ranges::max_element(others, {}, [](const Contact& c) { return c.to - c.from; });
   const Contact longest = *at;
   const double lasts = longest.to - longest.from;
-  if (lasts < kMinorShare * whole.duration()) return;
+  if (lasts < kTouched * whole.duration()) return;
   others.erase(at);
   Hypothesis judged;
   judged.mountTurnReported = hypothesis.mountTurnReported;

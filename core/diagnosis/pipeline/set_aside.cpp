@@ -50,12 +50,14 @@ double loudnessBeside(const Contact& touch, const Hypothesis& hypothesis, const 
 bool wereTouches(double peak, double evidence, double longest, const Hypothesis& hypothesis) {
   // Of 30 faint ones in 560 recordings, real touches had 32 or more, and more than 1.3 times the noise below 100.
   // Nobody touches with a torque and no force: one of 408 others, over 1.2 s, had 433 and 0.4 times the noise.
+  constexpr double kOfNoise = 0.7;
   // What lasts has more room for what others leave.
   double others = 0.0;
   for (const Found& found : hypothesis.search.found)
     if (found.cause != ids::contact) others += found.gain;
   if (evidence < kClearEvidence + (longest > kBriefly ? kBroadError : kFormError) * others) return false;
-  return peak > rmsOf(hypothesis.stretches, hypothesis.search.final.residual).force;
+  return peak > (evidence > 2.0 * kFaint ? kOfNoise : 1.0) *
+                    rmsOf(hypothesis.stretches, hypothesis.search.final.residual).force;
 }
 
 /// Contacts that follow each other within `apart` [s], or that overlap, as one. Rising in time.
@@ -160,7 +162,7 @@ std::vector<Stretch> holesWithTouches(const Signals& signals, const SearchStatus
   if (!plain && !(standing.gain > kOverwhelming && goOn(touches, holes))) return {};
   auto out = together(holes, touches);
   const double judged = blocksIn(stretchesOf(signals.usable));
-  return blocksIn(out) - blocksIn(holes) < kMinorShare * judged ? out : std::vector<Stretch>{};
+  return blocksIn(out) - blocksIn(holes) < kTouched * judged ? out : std::vector<Stretch>{};
 }
 
 void setUnexplainedAside(Hypothesis& hypothesis, const Signals& whole) {
@@ -211,7 +213,7 @@ void setTouchesAside(Hypothesis& hypothesis) {
   const bool touched = wereTouches(peak, evidence, longest, hypothesis);
   search.found.erase(found);
   Model model = without(search.final.model, ids::contact);
-  if (durationOf(touches) < kMinorShare * signals.duration() && std::ssize(touches) <= kOverfitted && touched) {
+  if (durationOf(touches) < kTouched * signals.duration() && std::ssize(touches) <= kOverfitted && touched) {
     Signals less = signals;
     leaveOut(less, blocksOf(touches));
     if (auto stretches = stretchesOf(less.usable); !stretches.empty()) {

@@ -134,9 +134,10 @@ std::optional<Structure> dropSlight(const Hypothesis& hypothesis, std::vector<Di
 /// Takes out a loose part that may have no mass, as far as that is known once other trials of its form are counted:
 /// what makes up for something unknown. Whether there was any.
 bool dropUnknownMasses(std::vector<DiagnosedCause>& causes) {
+  constexpr double kKnown = 2.0;  // Deviations as they are told
   return std::erase_if(causes, [](const DiagnosedCause& c) {
            const CauseParameter* mass = c.id == ids::looseMass ? findParameter(c.parameters, "mass") : nullptr;
-           return mass != nullptr && std::abs(mass->value) < kDeviations * mass->std;
+           return mass != nullptr && std::abs(mass->value) < kKnown * mass->std;
          }) > 0;
 }
 
