@@ -19,21 +19,16 @@ namespace heft::diagnosis {
 /// A cause is part of the model from here on: very strong.
 constexpr double kThreshold = 10.0;
 /// Two explanations that differ by less are tied.
-constexpr double kTie = 10.0;
-/// Twice very strong: a cause is named, and what needs more doubt than others is believed.
-constexpr double kNamed = 20.0;
-/// What a form needs beyond others because things are seldom like that, or because it takes a little of anything.
-constexpr double kUnusual = 20.0;
+constexpr double kTie = kThreshold;
+/// Twice very strong: a cause is named, and a form is believed that needs more than others, because things are seldom
+/// like that or because it takes a little of anything.
+constexpr double kNamed = 2.0 * kThreshold;
 /// One explanation is clearly better than another that was taken first; also beside a zero that wanders, whose waves
 /// leave a little of anything.
 constexpr double kClearEvidence = 30.0;
-/// Below this, simplicity alone names no cause.
+/// Below this, simplicity alone names no cause; above it, nobody would call it noise, though no cause has its form.
 constexpr double kFaint = 50.0;
-/// What nobody would call noise, though no cause has its form.
-constexpr double kPlainEvidence = 60.0;
-/// For a drift that takes any course: noise that is slow takes some course, too.
-constexpr double kAnyCourse = 200.0;
-/// What no imperfect model of something else gains.
+/// What no imperfect model of something else gains, nor slow noise a drift that takes any course.
 constexpr double kOverwhelming = 300.0;
 /// Given to what is seen without comparing likelihoods.
 constexpr double kSeenDirectly = 1e3;
@@ -41,7 +36,7 @@ constexpr double kSeenDirectly = 1e3;
 constexpr double kNever = 1e9;
 /// What the flexible dictionary must gain for something unknown to be left: more than in the noise of clean recordings
 /// (its null distribution is drawn in residual_analysis/structure.cpp).
-constexpr double kUnexplained = 18.5;
+constexpr double kUnexplained = kNamed;
 /// A jump of the zero gains this over a zero that walks: one that walks makes steps, too.
 constexpr double kJump = 5.0;
 /// Below this, twice the log-likelihood sets no two explanations apart.
@@ -50,10 +45,8 @@ constexpr double kSameLikelihood = 4.0;
 // Model discrepancy (Kennedy and O'Hagan 2001): a form is right only to a share of what it explains, which others can
 // take.
 
-/// Of any form.
+/// Of any form, or between two that act alike on the same forces, such as two that smooth them.
 constexpr double kFormError = 0.03;
-/// Between forms that act alike on the same forces, such as two that smooth them.
-constexpr double kTwinError = 0.05;
 /// Between forms whose difference is a moment or a place.
 constexpr double kEventError = 0.1;
 /// Of what has no one form: a zero that wanders, something that lasts, the strongest of several causes at once.
@@ -63,42 +56,52 @@ constexpr double kBroadError = 0.2;
 
 /// A number is known to differ from another.
 constexpr double kDeviations = 3.0;
-/// It differs for certain, whatever the model leaves out.
-constexpr double kManyDeviations = 5.0;
+/// It differs for certain, whatever the model leaves out; times the usual size, or what something else explains.
+constexpr double kStandsOut = 5.0;
 
 // Shares and counts in words.
 
-constexpr double kTinyShare = 0.05, kSmallShare = 0.1, kMinorShare = 0.15, kFifth = 0.2, kQuarter = 0.25, kThird = 0.3,
-                 kMajority = 0.5, kClearMajority = 0.6, kLargeShare = 0.8, kNearlyWhole = 0.95;
-/// Times the usual size, the usual power, or what something else explains.
-constexpr double kStandsOut = 5.0, kLoudPower = 2.0, kManyTimes = 4.0;
+constexpr double kTinyShare = 0.05, kSmallShare = 0.1, kMinorShare = 0.2, kThird = 0.3, kMajority = 0.5,
+                 kLargeShare = 0.8, kNearlyAll = 0.9, kNearlyWhole = 0.95;
+/// Too little to be told, or to be told from nothing.
+constexpr double kHardlyAny = 0.01;
+/// Times the usual power: more than noise varies; what noise never reaches.
+constexpr double kLoudPower = 2.0, kLoud = 7.0, kFarOut = 50.0;
 /// As often, it is no chance.
 constexpr std::size_t kAgainAndAgain = 3;
+/// As often, it is a pattern.
+constexpr std::size_t kPattern = 5;
+/// As few have no usual value.
+constexpr std::ptrdiff_t kFewestSamples = 20;
 
-/// Causes, or masses that swing, that nobody has at once: crutches for something unknown.
+/// Causes, ties or touches that nobody has at once: crutches for something unknown. Masses that swing, at most.
 constexpr std::ptrdiff_t kOverfitted = 4, kMasses = 2;
 
 // Time and place.
 
-/// [s] What happens within this happens at one moment; blocks are 20 ms.
+/// [s] What happens within this happens at one moment; the same in blocks of 20 ms.
 constexpr double kMoment = 0.1;
-constexpr std::ptrdiff_t kMomentBlocks = 5;
-/// [s] A knock lasts no longer; what a blow sets ringing has died away; what lasts no longer than the last is brief.
-constexpr double kKnockLasts = 0.25, kRingsOut = 0.4, kBriefly = 3.0;
-/// [s] From one event to the next.
-constexpr double kEventGap = 0.3;
+constexpr std::ptrdiff_t kMomentBlocks = static_cast<std::ptrdiff_t>(kMoment / 0.02 + 0.5);
+/// [s] A knock lasts no longer, what a blow sets ringing has died away, the next event is another one; what lasts no
+/// longer than the last is brief.
+constexpr double kEvent = 0.3, kBriefly = 3.0;
 /// [s] Shorter gaps in the rows are bridged: a tool hardly changes its acceleration meanwhile.
 constexpr double kShortestGap = 0.015;
 /// [m] How far from the sensor a tool reaches that a hand guides.
 constexpr double kToolReach = 0.5;
 /// [m/s], [rad/s] What is slower stands still.
 constexpr double kStillSpeed = 0.03, kStillTurning = 0.1;
-/// [Hz] The softest mount; what swings slower is a part of the tool.
-constexpr double kSoftestMountHz = 11.0;
-/// A swing's damping is not known better than to this share: no mount or part is a spring that is the same however far
-/// it gives.
-constexpr double kDampingError = 0.08;
+/// [Hz] The softest mount; what swings slower is a part of the tool. The stiffest that shows.
+constexpr double kSoftestMountHz = 11.0, kStiffestMountHz = 70.0;
+/// A swing's frequency is not known better than to this share: no mount or part is a spring that is the same however
+/// far it gives.
+constexpr double kFrequencyError = 0.004;
 /// [m] About where a hand holds a tool, from the sensor: as far, a force of 1 N is a torque of 0.1 N m.
 constexpr double kGrip = 0.1;
+/// [m] Places that are closer are the same.
+constexpr double kSamePlace = 0.005;
+/// [rad], [m] What motion is told to: robots report angles to a few thousandths of a degree at worst, trackers places
+/// to a tenth of a millimetre; what is coarser or noisier is so for a cause.
+constexpr double kFineMotion = 2e-4;
 
 }  // namespace heft::diagnosis

@@ -31,13 +31,12 @@ namespace {
 /// Whether single readings that are wrong may be all that there is in stretches that were set aside: coarse steps are
 /// not where far more than a step is left.
 bool mayBeAllThatIsOdd(const Direct& direct, const Hypothesis& hypothesis) {
-  constexpr double kMostSteps = 3.0;
   if (direct.cause != ids::quantisation) return true;
   const auto stepOf = [&](std::string_view name) {
     const auto step = std::ranges::find_if(direct.parameters, [&](const auto& p) { return p.name == name; });
     return step == direct.parameters.end() ? 0.0 : step->value;
   };
-  const double force = kMostSteps * stepOf("step_force"), torque = kMostSteps * stepOf("step_torque");
+  const double force = kStandsOut * stepOf("step_force"), torque = kStandsOut * stepOf("step_torque");
   return std::ranges::all_of(blocksOf(hypothesis.unexplained), [&](const Stretch& s) {
     const auto left = hypothesis.search.final.residual.middleCols(s.from, s.to - s.from);
     return left.topRows<3>().cwiseAbs().maxCoeff() < force || left.bottomRows<3>().cwiseAbs().maxCoeff() < torque;

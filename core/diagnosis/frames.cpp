@@ -102,7 +102,6 @@ std::optional<FrameMistake> frameMistake(const Recording& recording, const Motio
 
 void refineTurn(FrameMistake& mistake, const Signals& right, const std::vector<Stretch>& stretches) {
   constexpr int kRounds = 3;
-  constexpr double kRests = 1e-4;  // [rad]
   if (stretches.empty()) return;
   const auto form = std::make_shared<const Form>(findCause("sensor_rotation")->forms(right).front());
   Signals signals = right;
@@ -114,7 +113,6 @@ void refineTurn(FrameMistake& mistake, const Signals& right, const std::vector<S
     const Matrix3d turn = rotationFromVector(more);
     mistake.reading.turn = turn * mistake.reading.turn;
     mistake.turnStd = fit.std().segment<3>(kLinear);
-    if (more.norm() < kRests) break;
     signals.readings.topRows<3>() = (turn * signals.readings.topRows<3>()).eval();
     signals.readings.bottomRows<3>() = (turn * signals.readings.bottomRows<3>()).eval();
     signals.measured = averaged(signals, signals.readings);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/search/search.h"
 
 namespace heft::diagnosis {
@@ -96,7 +97,7 @@ struct PoseFit {
   VectorXd untold;  ///< Share of each parameter that the poses do not tell apart from others
 };
 
-constexpr double kUntold = 0.01;  ///< More of PoseFit::untold is not told
+constexpr double kUntold = kHardlyAny;  ///< More of PoseFit::untold is not told
 
 /// Of each row, the root of its weight over its scale.
 VectorXd scalesOf(const PoseFit& fit);

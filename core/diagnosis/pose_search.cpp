@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/math/linear_algebra.h"
 
@@ -40,7 +41,7 @@ std::vector<Suspect> suspectsFor(const PosesSeen& poses, const std::vector<std::
     }
     price(from);
   }
-  constexpr Eigen::Index kBeside = 3;  // Poses on either side of a change
+  constexpr auto kBeside = static_cast<Eigen::Index>(kAgainAndAgain);  // Poses on either side of a change
   if (!isHidden("bias_drift")) out.push_back({"bias_drift", nullptr, {Course::drift, 0, {}}});
   for (const auto& [id, course] : {std::pair{"sensor_bias", Course::jump}, {"payload_change", Course::load}}) {
     if (isHidden(id)) continue;
@@ -114,12 +115,12 @@ bool isBelievable(const PoseFit& fit) {
 
 PoseSearch searchPoses(const PosesSeen& poses, const std::vector<std::string>& hidden, const Progress& progress) {
   constexpr double kTied = 6.0;  // Strong, by Kass and Raftery (1995)
-  constexpr std::size_t kMostCauses = 3;
   PoseSearch out;
   out.candidates = suspectsFor(poses, hidden);
   out.null = fitted(poses, PoseState{});
   out.fit = out.null;
-  while (out.named.size() < kMostCauses && !progress.cancelled() && out.fit.state.size() + 8 < 3 * poses.count()) {
+  while (std::ssize(out.named) < kOverfitted - 1 && !progress.cancelled() &&
+         out.fit.state.size() + 8 < 3 * poses.count()) {
     auto trials = trialsBeside(poses, out.fit, out.candidates);
     std::erase_if(trials, [](const PoseTrial& trial) { return !isBelievable(*trial.fit); });
     if (trials.empty() || trials.front().gain < kNeededOfPoses) break;

@@ -26,8 +26,7 @@ void setAside(const Runs& runs, std::vector<bool>& bad, Eigen::Index rows) {
   std::vector<bool> all = bad;
   all.resize(static_cast<std::size_t>(rows), false);
   for (const auto& [from, to] : runs) std::fill(all.begin() + from, all.begin() + to, true);
-  if (static_cast<double>(std::ranges::count(all, true)) < kClearMajority * static_cast<double>(rows))
-    bad = std::move(all);
+  if (static_cast<double>(std::ranges::count(all, true)) < kMajority * static_cast<double>(rows)) bad = std::move(all);
 }
 
 /// What dead bands leave nothing of.

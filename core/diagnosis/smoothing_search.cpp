@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/diagnosis/artefacts/made_by_motion.h"
 #include "core/diagnosis/artefacts/sharp_motion.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/pipeline/hypothesis_search.h"
 #include "core/diagnosis/pipeline/set_aside.h"
@@ -21,8 +22,8 @@ namespace {
 
 /// Whether the motion was only recorded every now and then, and straight lines drawn in between.
 bool hasLongLines(const Direct& direct) {
-  constexpr double kLong = 80.0;  // [ms]
-  return std::ranges::any_of(direct.parameters, [](const auto& p) { return p.name == "line" && p.value > kLong; });
+  return std::ranges::any_of(direct.parameters,
+                             [](const auto& p) { return p.name == "line" && p.value > 1e3 * kMoment; });
 }
 
 struct Smoothing {

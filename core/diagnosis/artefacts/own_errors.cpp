@@ -22,13 +22,12 @@ bool madeByAlignment(const Hypothesis& hypothesis, const Found& found) {
 }
 
 bool ownErrors(const Hypothesis& hypothesis, const Found& found) {
-  constexpr double kPlain = 3.0 * kFaint;  // Evidence that speaks much for a cause
-  constexpr double kEnlarged = 2.5, kEnlargedByCorners = 3.5;
+  constexpr double kEnlarged = 3.0;  // By corners of the motion, or by what swings
   const std::string_view cause = found.cause;
   if (std::ranges::find(hypothesis.motionArtefacts, found.cause) != hypothesis.motionArtefacts.end()) return true;
   if (madeByAlignment(hypothesis, found)) return true;
   if ((lags(cause) || enlarges(cause)) && found.gain < leftByNoise(hypothesis.signals)) return true;
-  double over = 0.0, enough = found.gain > kPlain ? 0.0 : 1.0;
+  double over = 0.0, enough = found.gain > 2.0 * kFaint ? 0.0 : 1.0;
   bool swings = false;
   for (const Term& term : hypothesis.search.final.model.terms) {
     const Cause& other = *term.form->cause;
@@ -37,7 +36,7 @@ bool ownErrors(const Hypothesis& hypothesis, const Found& found) {
     over += other.overOwnErrors(*term.form, term.v, hypothesis.signals);
     enough = std::max(enough, other.enoughIfPlain(*term.form));
   }
-  return over < enough * (found.gain < 2.0 * kFaint ? kEnlargedByCorners : swings ? kEnlarged : 1.0);
+  return over < enough * (found.gain < 2.0 * kFaint || swings ? kEnlarged : 1.0);
 }
 
 void sayOwnErrors(const std::vector<Found>& own, DiagnosisReport& out) {

@@ -25,7 +25,7 @@ Wrenches blurred(const Wrenches& of, Eigen::Index reach) {
 /// Whether it has another payload, so that the fit hung on a noise with a long memory: half of the weight is then told
 /// to be noise, and sharp motion to hardly matter.
 bool isAnother(const Fit& rested, const Fit& fit) {
-  return std::abs(rested.model.x(6) - fit.model.x(6)) > kFifth * std::abs(rested.model.x(6));
+  return std::abs(rested.model.x(6) - fit.model.x(6)) > kMinorShare * std::abs(rested.model.x(6));
 }
 
 /// Without the noise: zero but for where any channel stands out, and around it.
@@ -48,8 +48,6 @@ Wrenches standingOut(const Wrenches& of) {
 }  // namespace
 
 void weighSharpMotion(std::vector<SmoothingCandidate>& candidates, const SmoothingCandidate& sharper, bool held) {
-  // Squared deviations of the noise: a motion that reaches it nowhere is smooth enough
-  constexpr double kNoticed = 1.0;
   constexpr Eigen::Index kReach = 2;  // Blocks: a filter rings
   const Signals& least = candidates[kUsualSmoothing].signals;
   const auto stretches = untouched(least, candidates[kUsualSmoothing]);
@@ -83,7 +81,8 @@ void weighSharpMotion(std::vector<SmoothingCandidate>& candidates, const Smoothi
     while (next < candidates.size() && candidates[next].signals.denoised) ++next;
     if (next >= candidates.size()) continue;
     Wrenches noiseScale = blurred((noise.cwiseInverse().asDiagonal() * (made[i] - made[next])).cwiseAbs2(), kReach);
-    if (noiseScale.maxCoeff() > kNoticed)
+    // A motion that reaches one deviation of the noise nowhere is smooth enough.
+    if (noiseScale.maxCoeff() > 1.0)
       candidates[i].signals.noiseScale = std::make_shared<const NoiseScale>(std::move(noiseScale));
   }
 }

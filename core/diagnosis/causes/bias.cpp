@@ -167,8 +167,7 @@ class BiasDrift final : public Cause {
 
   /// What one channel alone does may as well be a walk.
   bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    return form.choice[0] != kAnyCourse ||
-           (v.head<6>().array().abs() > kManyDeviations * std.head<6>().array()).count() > 1;
+    return form.choice[0] != kAnyCourse || (v.head<6>().array().abs() > kStandsOut * std.head<6>().array()).count() > 1;
   }
 
   /// Where all channels of a walk go one way, and what they do is what one of them does.

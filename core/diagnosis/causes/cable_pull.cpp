@@ -17,6 +17,8 @@ Vector3d middle(const Signals& signals) { return signals.position.rowwise().mean
 /// Form::choice
 enum PullKind { kSpring = 0, kAway = 1, kPerAxis = 2, kTwist = 3, kTaut = 4, kAllWays = 5, kHardens = 6 };
 
+constexpr double kHolder = 0.02;  ///< [m] What holds a cable and does not stretch
+
 /// Fixed to a spot, and slack up to a length.
 bool hasLength(int kind) { return kind == kTaut || kind == kHardens; }
 
@@ -32,7 +34,7 @@ std::vector<Vector3d> places(const Signals& signals) {
 /// Forms of one that has a length: fixed to each side of the tool's places, taut at a quarter of them, at half, or at
 /// all.
 std::vector<Form> tautForms(const Cause* cause, const Signals& signals) {
-  constexpr double kReach = 0.7, kFarthest = 4.0;  // [m]
+  constexpr double kFarthest = 4.0;  // [m]
   const std::vector<Vector3d> all = places(signals);
   const Vector3d centre = middle(signals);
   std::vector<Form> out;
@@ -41,7 +43,7 @@ std::vector<Form> tautForms(const Cause* cause, const Signals& signals) {
       for (int z = -1; z <= 1; ++z) {
         const int axes = std::abs(x) + std::abs(y) + std::abs(z);
         if (axes == 0 || axes == 2) continue;
-        const Vector3d anchor = centre + kReach * Vector3d(x, y, z).normalized();
+        const Vector3d anchor = centre + kToolReach * Vector3d(x, y, z).normalized();
         std::vector<double> far;
         for (const Vector3d& p : all) far.push_back((p - anchor).norm());
         std::ranges::sort(far);
@@ -163,7 +165,6 @@ class CablePull final : public Cause {
   /// What holds a cable does not stretch for a thumb's width, which takes its share off the stiffness and is not told
   /// by itself.
   VectorXd modelStd(const Form& form, const VectorXd& v) const override {
-    constexpr double kHolder = 0.02;  // [m]
     const int kind = form.choice[0];
     if (hasLength(kind) || kind == kTwist) return {};
     const Eigen::Index at = kind == kAllWays   ? 6
@@ -179,7 +180,6 @@ class CablePull final : public Cause {
   /// A spring towards one spot is a cable of some length, and that may grow stiffer as it stretches.
   std::vector<std::pair<Form, VectorXd>> grown(const Form& form, const VectorXd& v,
                                                const Signals& signals) const override {
-    constexpr double kShort = 0.02;  // [m]
     const bool spring = form.choice[0] == kSpring || form.choice[0] == kAway;
     if ((!spring && form.choice[0] != kTaut) || !(v(0) > 0.0)) return {};
     std::vector<std::pair<Form, VectorXd>> out;
@@ -190,7 +190,7 @@ class CablePull final : public Cause {
       const Vector3d away = v.segment<3>(1) / v(0), centre = middle(signals);
       const auto along = [&](const Form& f) { return Vector3d(f.start.segment<3>(1) - centre).dot(away); };
       start.resize(8);
-      start << v(0), centre + away, kShort,
+      start << v(0), centre + away, kHolder,
           form.choice[0] == kAway ? Vector3d(v.tail<3>()) : Vector3d(Vector3d::Zero());
       out.emplace_back(*std::ranges::max_element(taut, {}, along), start);
     }
@@ -242,7 +242,7 @@ class CablePull final : public Cause {
   double doubt(const Form& form, const VectorXd& v, const Signals&) const override {
     const int kind = form.choice[0];
     const bool oneWay = kind == kSpring || kind == kAway || kind == kTwist;
-    return oneWay && v(0) < 0.0 ? kPushes : 0.0;
+    return oneWay && v(0) < 0.0 ? kFaint : 0.0;
   }
   /// Springs along several lines pull back, whichever way the tool goes; what hardly does is a constant pull.
   bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
@@ -252,7 +252,7 @@ class CablePull final : public Cause {
     if (kind != kAllWays) return std::abs(v(0)) > kDeviations * std(0);
     const Vector3d along = tensor(v.head<6>()).selfadjointView<Eigen::Lower>().eigenvalues();
     const double off = std.head<6>().maxCoeff();
-    return along.minCoeff() > -kDeviations * off && along.maxCoeff() > kManyDeviations * off;
+    return along.minCoeff() > -kDeviations * off && along.maxCoeff() > kStandsOut * off;
   }
 };
 

@@ -15,10 +15,6 @@ namespace heft::diagnosis {
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kMilli = 1e3;
 
-/// Evidence that what acts from outside needs where it pushes the tool on instead of holding it back: a hand that
-/// guides the tool itself does, or a bent hose, hardly anything else. Of ten that did, the faintest had 208.
-constexpr double kPushes = 60.0;
-
 /// A time over how far resampling and its stamps may put a row from where it belongs. Two of 90 clean recordings had
 /// 0.02 and 0.07 ms at a gain next to nothing; of 60 that are late, none had less than 0.14 ms.
 inline double overOwnTimes(double time) {
@@ -28,7 +24,7 @@ inline double overOwnTimes(double time) {
 
 /// Whether two clocks that Heft brought together may be off by that time [s].
 inline bool withinAlignment(double time, const Signals& signals) {
-  return signals.clockAlignmentStd && std::abs(time) < kManyDeviations * *signals.clockAlignmentStd;
+  return signals.clockAlignmentStd && std::abs(time) < kStandsOut * *signals.clockAlignmentStd;
 }
 
 /// A form whose parameters all start at zero and are all looked at.

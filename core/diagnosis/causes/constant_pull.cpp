@@ -82,7 +82,6 @@ class ConstantPull final : public Cause {
   /// of one at the middle of a tool.
   std::vector<std::pair<Form, VectorXd>> grown(const Form& form, const VectorXd& v,
                                                const Signals& signals) const override {
-    constexpr double kMiddle = 0.08;  // [m]
     if (!form.guide) return {};
     const Eigen::Map<const Matrix3d> turns(v.data() + 3);  // Force along each axis, at each place
     const ThinSvd svd = thinSvd(turns);
@@ -94,7 +93,7 @@ class ConstantPull final : public Cause {
     const std::vector<Form> all = forms(signals);
     const Form& away = *std::ranges::find_if(all, [](const Form& f) { return f.later; });
     std::vector<std::pair<Form, VectorXd>> out;
-    for (const Vector3d& force : {seen, Vector3d(most / kMiddle * along)}) {
+    for (const Vector3d& force : {seen, Vector3d(most / kGrip * along)}) {
       VectorXd start(6);
       const Vector3d place = turns.transpose() * force / std::max(1e-9, force.squaredNorm());
       start << force, place.cwiseMax(-kToolReach).cwiseMin(kToolReach);
@@ -128,10 +127,9 @@ class ConstantPull final : public Cause {
   /// A step in six channels takes a little of anything that is left. Of four that had begun, the faintest was 1,300.
   /// What begins to pull straight up or down is a load that changed.
   double doubt(const Form& form, const VectorXd& v, const Signals& signals) const override {
-    constexpr double kStep = 80.0;
     if (!form.local) return 0.0;
     const Vector3d force = v.segment<3>(1);
-    return force.cross(signals.gravity).norm() < kFifth * force.norm() * signals.gravity.norm() ? kNever : kStep;
+    return force.cross(signals.gravity).norm() < kMinorShare * force.norm() * signals.gravity.norm() ? kNever : kFaint;
   }
   /// What pulls has hold of the tool. Of 70 that did, the farthest was at 0.22 m; a torque without a force was at 0.6.
   bool plausible(const Form& form, const VectorXd& v, const VectorXd& std) const override {

@@ -11,8 +11,8 @@
 namespace heft::diagnosis {
 namespace {
 
-constexpr double kStick = 0.003;        ///< [m/s] below which friction fades
-constexpr double kStickAngular = 0.02;  ///< [rad/s]
+constexpr double kStick = 0.003;                  ///< [m/s] below which friction fades
+constexpr double kStickAngular = kStick / kGrip;  ///< [rad/s]
 
 /// Velocity of the point r (S axes), B axes.
 Vector3d velocityAt(const Signals& signals, const Kinematics& kin, Eigen::Index k, const Matrix3d& R_BS,
@@ -24,7 +24,7 @@ Vector3d velocityAt(const Signals& signals, const Kinematics& kin, Eigen::Index 
 class Resistance : public Cause {
  public:
   double doubt(const Form& form, const VectorXd& v, const Signals&) const override {
-    return std::ranges::any_of(mayPush(form), [&](int p) { return v(p) < 0.0; }) ? kPushes : 0.0;
+    return std::ranges::any_of(mayPush(form), [&](int p) { return v(p) < 0.0; }) ? kFaint : 0.0;
   }
   /// Nothing holds back what moves and pushes what turns.
   bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {

@@ -118,7 +118,7 @@ class GainError final : public Cause {
 
  private:
   static constexpr int kForces = 6, kGrowing = 7, kGrowingAlike = 8;  ///< form.choice: instead of a channel
-  static constexpr double kSteadily = 1e4;  ///< [s] A gain that grows as long as this grows all the time
+  static constexpr double kSteadily = 1e6;  ///< [s] A gain that grows as long as this grows all the time
   static constexpr int kBySign = 1;         ///< Second in form.choice, after the channel
 
   static bool bySign(const Form& form) { return form.choice.size() > 1; }

@@ -96,16 +96,15 @@ class LooseMass final : public Oscillator {
   }
   /// No part hangs on a spring that is the same however far it goes, with a damper that is the same however fast.
   VectorXd modelStd(const Form& form, const VectorXd& v) const override {
-    constexpr double kOfMass = 0.04, kOfFrequency = 0.002;
     if (form.choice[0] == kFromStart) return {};
     VectorXd out = VectorXd::Zero(v.size());
-    out.head<4>() = kOfMass * v.head<4>().cwiseAbs();
-    out(4) = kOfFrequency * v(4);
-    out(5) = kDampingError * v(5);
+    out.head<4>() = kTinyShare * v.head<4>().cwiseAbs();
+    out(4) = kFrequencyError * v(4);
+    out(5) = kEventError * v(5);
     return out;
   }
   double doubt(const Form& form, const VectorXd& v, const Signals& signals) const override {
-    return form.choice[0] == kFromStart ? kUnusual : Oscillator::doubt(form, v, signals);
+    return form.choice[0] == kFromStart ? kNamed : Oscillator::doubt(form, v, signals);
   }
 
  private:

@@ -1,6 +1,7 @@
 // A low-pass filter inside the sensor or its driver: T y' + y = w, the same with T / 2 twice, or the mean over the
 // last 2 T. Each makes slow readings late by T.
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 #include "core/diagnosis/causes/ids.h"
@@ -51,10 +52,7 @@ class LowPassLag final : public Cause {
       for (int stage = 0; stage < stages; ++stage) w = onePole(w, v(0) / stages, signals.rateHz);
   }
   /// Of a filter that is none of these: how late it makes readings of a motion that is neither slow nor fast.
-  VectorXd modelStd(const Form&, const VectorXd& v) const override {
-    constexpr double kShare = 0.025;
-    return kShare * v;
-  }
+  VectorXd modelStd(const Form&, const VectorXd& v) const override { return kFormError * v; }
   double overOwnErrors(const Form&, const VectorXd& v, const Signals&) const override { return overOwnTimes(v(0)); }
   bool mayBeAlignment(const Form&, const VectorXd& v, const Signals& signals) const override {
     return withinAlignment(v(0), signals);

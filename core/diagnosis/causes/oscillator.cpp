@@ -158,13 +158,12 @@ Vector3d directionOf(const Form& form, const VectorXd& v) {
 
 Path pathOf(const Form& form, const VectorXd& v) {
   // Where it sits; nowhere in particular as long as there is hardly any mass.
-  constexpr double kLeast = 1e-3, kFarthest = 0.4;
   const double mass = v(0);
   const Vector3d moment = v.segment<3>(1);
   Path out;
   out.frequency = v(4);
   out.damping = v(5);
-  if (mass > kLeast && moment.norm() < kFarthest * mass) out.seat = moment / mass;
+  if (mass > 1e-9 && moment.norm() < kToolReach * mass) out.seat = moment / mass;
   if (form.choice[0] < 3) out.way = directionOf(form, v);
   return out;
 }
@@ -216,12 +215,12 @@ void Oscillator::forces(const Form& form, std::span<const VectorXd> each, const 
 }
 
 double Oscillator::doubt(const Form& form, const VectorXd& v, const Signals& signals) const {
-  return form.choice[0] == kRolls ? kUnusual : doubtAt(v(4), signals);
+  return form.choice[0] == kRolls ? kNamed : doubtAt(v(4), signals);
 }
 
 double Oscillator::doubtAt(double frequency, const Signals& signals) {
-  constexpr double kAll = 0.2;  // As the loss itself: all of it a fifth above what is kept
-  return signals.keptHz > 0.0 ? kUnusual * std::clamp((frequency / signals.keptHz - 1.0) / kAll, 0.0, 1.0) : 0.0;
+  // As the loss itself: all of it a fifth above what is kept.
+  return signals.keptHz > 0.0 ? kNamed * std::clamp((frequency / signals.keptHz - 1.0) / kMinorShare, 0.0, 1.0) : 0.0;
 }
 
 std::vector<Parameter> Oscillator::parameters(double lowest, double highest) {

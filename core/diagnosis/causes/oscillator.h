@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
@@ -25,7 +26,7 @@ class Oscillator : public Cause {
  protected:
   static double doubtAt(double frequency, const Signals& signals);
 
-  static constexpr double kMostDamped = 0.35;
+  static constexpr double kMostDamped = kThird;
   /// form.choice: 0 to 2 mostly along that axis, kRolls: no swinging, kElse: what a cause has besides
   static constexpr int kAllWays = 3, kRolls = 4, kElse = 5;
 

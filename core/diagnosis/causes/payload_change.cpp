@@ -99,8 +99,8 @@ class PayloadChange final : public Cause {
   /// What came or went lies where the tool is. Of 87 that did, the farthest was at 0.5 m; of 26 other things that
   /// looked like it, such as a weight that slides, eight acted at 2 m and more.
   bool plausible(const Form&, const VectorXd& v, const VectorXd& std) const override {
-    constexpr double kFarthest = 1.0;  // [m]
-    return v.segment<3>(2).norm() - std.segment<3>(2).norm() < kFarthest * (std::abs(v(1)) + kDeviations * std(1));
+    return v.segment<3>(2).norm() - std.segment<3>(2).norm() <
+           2.0 * kToolReach * (std::abs(v(1)) + kDeviations * std(1));
   }
   std::vector<std::pair<double, double>> when(const Form&, const VectorXd& v, const Signals& signals) const override {
     return {wholeAfter(v(0) - 0.5 * v(5), signals)};

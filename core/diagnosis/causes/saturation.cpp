@@ -50,10 +50,7 @@ class Saturation final : public Cause {
   /// A channel that gives way near the end of its range hardly does so: one whose gain is another one for half of its
   /// range looks like that. Of two that were soft at their end each lost more than 90 %, of nine unknown effects that
   /// looked like it six less than this.
-  bool plausible(const Form&, const VectorXd& v, const VectorXd&) const override {
-    constexpr double kLeast = 0.15;
-    return v(0) > kLeast;
-  }
+  bool plausible(const Form&, const VectorXd& v, const VectorXd&) const override { return v(0) > kMinorShare; }
   bool changesSensor(const Form&) const override { return true; }
   /// A channel that stays far from the end of its range is not at its limit. The zero may have been taken off the
   /// readings, so that the end of the range is not known better than to a part of it.
@@ -61,7 +58,7 @@ class Saturation final : public Cause {
     if (!signals.range || signals.readings.cols() == 0) return 0.0;
     const auto channel = signals.readings.row(form.choice[0]);
     const double most = form.choice[1] > 0 ? channel.maxCoeff() : -channel.minCoeff();
-    return most < kClearMajority * (*signals.range)(form.choice[0]) ? kNever : 0.0;
+    return most < kMajority * (*signals.range)(form.choice[0]) ? kNever : 0.0;
   }
   bool linear(const Form&) const override { return false; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {

@@ -1,6 +1,7 @@
 // Something pushed for a moment, or held on to the tool for some seconds. Strong contact is set aside before anything
 // is fitted; this finds the light one.
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 #include "core/diagnosis/causes/ids.h"
@@ -38,7 +39,6 @@ class Touch final : public Cause {
   }
   std::vector<std::string> lookAlikes() const override { return {"payload_change", "sensor_bias"}; }
   std::vector<Form> forms(const Signals& signals) const override {
-    constexpr double kShortest = 0.08, kLongest = 2.5, kLongestHeld = 5.0;
     std::vector<Form> out;
     const double from = signals.startTime + 0.5, to = signals.startTime + signals.duration() - 0.5;
     const auto add = [&](double lasts, double longest, bool held) {
@@ -48,7 +48,7 @@ class Touch final : public Cause {
           parameters.push_back({axis, "N", 1.0, 0.3, -100.0, 100.0});
         for (const char* axis : {"torque_x", "torque_y", "torque_z"})
           parameters.push_back({axis, "N m", 1.0, 0.02, -20.0, 20.0});
-        parameters.push_back({"duration", "s", 1.0, 0.1, kShortest, longest});
+        parameters.push_back({"duration", "s", 1.0, 0.1, kMoment, longest});
         if (held) parameters.push_back({"flank", "%", 100.0, 0.1, 0.02, 1.0, true, false});
         Form form = formOf(this, held ? "held" : "", std::move(parameters));
         form.start(0) = t;
@@ -60,8 +60,8 @@ class Touch final : public Cause {
         out.push_back(form);
       }
     };
-    for (const double lasts : {0.5, 1.2}) add(lasts, kLongest, false);
-    add(2.2, kLongestHeld, true);
+    for (const double lasts : {0.5, 1.2}) add(lasts, kBriefly, false);
+    add(2.2, kBriefly, true);
     return out;
   }
   bool feelsMotion() const override { return false; }

@@ -51,6 +51,8 @@ Best bestOf(const Wrenches& scaled, const std::vector<Contact>& contacts, const 
 }
 
 constexpr double kShortest = 0.8;  ///< [s]
+/// Share of the payload's mass, or of what acts in a contact, that is as good as none.
+constexpr double kNothing = 0.02;
 
 /// What is left of a fit in `contacts`, as something that acts in all of them would make it.
 class LeftBy {
@@ -130,11 +132,10 @@ struct LoadIn {
 }  // namespace
 
 bool isWeightElsewhere(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
-  constexpr double kLittle = 0.02;  // Share of the payload's mass: none came or went
   if (areTooShort(contacts)) return false;
   const LoadIn load(signals, fit, contacts);
   return load.share < kSmallShare && load.shareOfHolding < kMajority &&
-         std::abs(load.mass) < std::max(2.0 * load.massStd, kLittle * fit.model.x(6));
+         std::abs(load.mass) < std::max(2.0 * load.massStd, kNothing * fit.model.x(6));
 }
 
 std::optional<CarriedLoad> carriedLoadIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
@@ -155,12 +156,11 @@ std::optional<CarriedLoad> carriedLoadIn(const Signals& signals, const Fit& fit,
 
 std::vector<Contact> recurrencesIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts,
                                    bool zeroJumps, bool loadChanges) {
-  constexpr double kLeftByZero = 0.02;
   std::vector<Contact> out;
   const LeftBy leftBy(signals, fit, contacts);
   for (const Contact& contact : contacts) {
     const double all = leftBy.all({contact});
-    if (contact.to - contact.from > kShortest && ((zeroJumps && leftBy.zero(contact).left < kLeftByZero * all) ||
+    if (contact.to - contact.from > kShortest && ((zeroJumps && leftBy.zero(contact).left < kNothing * all) ||
                                                   (loadChanges && leftBy.load({contact}).left < kTinyShare * all)))
       out.push_back(contact);
   }

@@ -55,9 +55,8 @@ Parts partsOf(const Signals& signals, const std::vector<Stretch>& stretches, con
 }  // namespace
 
 std::vector<double> knocksIn(const Signals& signals, const std::vector<Stretch>& stretches, const Model& model) {
-  /// Times the usual power beside a straight line through each block. Of 260 recordings 255 have none at 15, the others
-  /// some, such as where friction turns round; three and more at 60 had only a part that rattled.
-  constexpr double kLoud = 60.0;
+  // Power is that beside a straight line through each block. Of 260 recordings 255 have none at 15 times the usual, the
+  // others some, such as where friction turns round; three and more at 60 had only a part that rattled.
   const Wrenches left = signals.readings - predicted(signals, model);
   const Eigen::Index m = signals.samplesPerBlock;
   if (m < 4) return {};
@@ -74,15 +73,14 @@ std::vector<double> knocksIn(const Signals& signals, const std::vector<Stretch>&
   for (const auto& s : stretches)
     for (Eigen::Index n = s.from; n < s.to; ++n) {
       const double loud = power.col(n).cwiseQuotient(knownAt(signals, usual, n)).mean(), t = signals.blockTime(n);
-      if (loud > kLoud && (out.empty() || t > out.back() + kEventGap)) out.push_back(t);
+      if (loud > kFarOut && (out.empty() || t > out.back() + kEvent)) out.push_back(t);
     }
   return out;
 }
 
 std::vector<double> burstsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
-  /// Times the usual power. Of 1,440 recordings, the third loudest part of those with nothing of the kind had 6.2
-  /// at most; where something rang again and again, 25 (our own test: 7 to 9).
-  constexpr double kLoud = 7.0;
+  // Of 1,440 recordings, the third loudest part of those with nothing of the kind had 6.2 times the usual power at
+  // most; where something rang again and again, 25 (our own test: 7 to 9).
   const Parts parts = partsOf(signals, stretches, fit);
   std::vector<double> out;
   if (parts.from.empty()) return out;
@@ -104,23 +102,21 @@ std::vector<double> burstsIn(const Signals& signals, const std::vector<Stretch>&
 }
 
 bool noiseSwitches(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
-  constexpr std::size_t kFewest = 20;
   const Parts parts = partsOf(signals, stretches, fit);
   const std::size_t count = parts.from.size();
-  if (count < kFewest) return false;
+  if (std::cmp_less(count, kFewestSamples)) return false;
   const Eigen::Index m = signals.samplesPerBlock;
   // Noise that grows with the motion, however that is measured, is alike in parts next to one another.
   std::array<std::vector<std::pair<double, std::size_t>>, 3> orders;
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::Index from = parts.from[i] * m, length = parts.length * m;
     const auto mean = [&](const auto& of) { return of.middleCols(from, length).colwise().norm().mean(); };
-    constexpr double kArm = 0.3;  // [m]
     double accelerates = 0.0;
     for (Eigen::Index k = from; k < from + length; ++k)
       accelerates += (signals.kinematics.specificForce.col(k) +
                       signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.gravity)
                          .norm();
-    orders[0].emplace_back(mean(signals.velocity) + kArm * mean(signals.kinematics.omega), i);
+    orders[0].emplace_back(mean(signals.velocity) + kGrip * mean(signals.kinematics.omega), i);
     orders[1].emplace_back(accelerates, i);
     orders[2].emplace_back(mean(signals.kinematics.alpha), i);
   }

@@ -13,7 +13,6 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kStiffest = 70.0;  // [Hz]
 /// Damping. Of what rang, 0.035 at most; what smoothing left of a stop in a clean recording looked like 0.21. A rotor
 /// that was switched on looked like 0.004.
 constexpr double kShortestRinging = 0.005, kLongestRinging = 0.12;
@@ -62,7 +61,7 @@ double explainedBy(const std::vector<Window>& windows, double frequency, double 
 /// From a little after the loudest block of each contact to the next one, or as long as a swing takes to die away.
 std::vector<Window> windowsAfter(const std::vector<Contact>& contacts, const Signals& signals, const Wrenches& expected,
                                  const Wrenches& left) {
-  constexpr double kAfter = 0.06, kShortestWindow = 0.15, kLongest = 0.5, kBefore = 0.15, kSudden = 0.03;  // [s]
+  constexpr double kSudden = 0.03;  // [s]
   const auto samples = [&](double seconds) { return static_cast<Eigen::Index>(std::lround(seconds * signals.rateHz)); };
   const Eigen::Index m = signals.samplesPerBlock;
   std::vector<Window> out;
@@ -73,16 +72,16 @@ std::vector<Window> windowsAfter(const std::vector<Contact>& contacts, const Sig
       if (left.col(k).squaredNorm() > left.col(loudest).squaredNorm()) loudest = k;
     Window window;
     window.contact = i;
-    window.from = loudest + samples(kAfter);
+    window.from = loudest + samples(kMoment);
     const Eigen::Index next = i + 1 < contacts.size() ? contacts[i + 1].blocks.from * m : left.cols(),
-                       to = std::min(next, window.from + samples(kLongest));
-    if (to - window.from < samples(kShortestWindow)) continue;
+                       to = std::min(next, window.from + samples(kEvent));
+    if (to - window.from < samples(kMoment)) continue;
     window.left = left.middleCols(window.from, to - window.from).transpose();
     window.slow = slowCourses(window.left.rows());
     window.left -= window.slow * (window.slow.transpose() * window.left);
     window.power = window.left.squaredNorm();
     const Eigen::Index begins =
-        std::max({Eigen::Index{0}, where.from * m - samples(kBefore), loudest - samples(kRingsOut)});
+        std::max({Eigen::Index{0}, where.from * m - samples(kMoment), loudest - samples(kEvent)});
     // What changes steadily, however fast, sets nothing swinging.
     const Eigen::Index apart = samples(kSudden);
     for (Eigen::Index k = begins; k + 2 * apart < window.from; ++k)
@@ -101,7 +100,7 @@ struct Swing {
 /// The swing that explains most of what is left in the windows; none where it is at the end of what a mount can be.
 std::optional<Swing> bestSwing(const std::vector<Window>& windows, double rateHz) {
   Swing out;
-  const double fastest = std::min(kStiffest, 0.45 * rateHz);
+  const double fastest = std::min(kStiffestMountHz, 0.45 * rateHz);
   for (double frequency = kSoftestMountHz; frequency < fastest; frequency *= 1.01)
     for (const double damping : {0.01, 0.025, 0.06})
       if (const double explained = explainedBy(windows, frequency, damping, rateHz); explained > out.explained) {
@@ -148,11 +147,6 @@ Vector6d usualSpread(const Signals& signals, const Wrenches& left, const std::ve
 std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, const std::vector<Contact>& contacts) {
   // Share of what is left after a stop beyond the noise: of mounts 0.93 and more, of bursts of interference 0.8 at
   // most.
-  constexpr double kPlain = 0.87;
-  constexpr double kLoudAlone = 6.0;  // Times the power of the noise
-  // A jump throws a spring as far beyond where it will rest. Of thirteen after hard stops the largest was 0.25 of that;
-  // where doors slammed and the floor shook, 1.1 to 2.
-  constexpr double kAtMost = 1.0;
   if (signals.rateHz < 2.5 * kSoftestMountHz || contacts.empty()) return std::nullopt;
   const Wrenches expected = predicted(signals, model);
   const Wrenches raw = signals.readings - expected;
@@ -162,8 +156,7 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
   std::erase_if(windows, [&](const Window& w) { return w.power < kLoudPower * static_cast<double>(w.left.size()); });
   if (windows.empty()) return std::nullopt;
   const bool alone = windows.size() == 1;
-  if (alone && windows.front().power < kLoudAlone * static_cast<double>(windows.front().left.size()))
-    return std::nullopt;
+  if (alone && windows.front().power < kLoud * static_cast<double>(windows.front().left.size())) return std::nullopt;
 
   const auto swing = bestSwing(windows, signals.rateHz);
   if (!swing) return std::nullopt;
@@ -182,8 +175,9 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
     const MatrixXd amplitudes = swings.transpose() * window.left;
     const double explained = amplitudes.squaredNorm(),
                  begins = (swings * amplitudes).topRows(4).rowwise().norm().maxCoeff();
-    if (explained > kPlain * (window.power - static_cast<double>(window.left.size())))
-      all.push_back({&window, explained, begins > kAtMost * window.setOff});
+    // A jump throws a spring as far beyond where it will rest, and no farther.
+    if (explained > kNearlyAll * (window.power - static_cast<double>(window.left.size())))
+      all.push_back({&window, explained, begins > window.setOff});
   }
   if (all.empty()) return std::nullopt;
   out.struck = std::ranges::all_of(all, &Rings::struck);
@@ -207,10 +201,8 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
     return std::sqrt(2.0 * unit / std::max(lost, 1e-12));
   };
   const double df = 1e-3 * out.frequencyHz, dd = 0.1 * out.damping;
-  // No mount is a spring that is the same however far it gives.
-  constexpr double kOfFrequency = 0.004;
-  out.frequencyStd = std::hypot(df * deviation(df, 0.0), kOfFrequency * out.frequencyHz);
-  out.dampingStd = std::hypot(dd * deviation(0.0, dd), kDampingError * out.damping);
+  out.frequencyStd = std::hypot(df * deviation(df, 0.0), kFrequencyError * out.frequencyHz);
+  out.dampingStd = std::hypot(dd * deviation(0.0, dd), kEventError * out.damping);
   return out;
 }
 

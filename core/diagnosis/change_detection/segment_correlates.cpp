@@ -49,10 +49,7 @@ double toldFromElsewhere(const MatrixXd& motion, const Wrenches& residual, const
 /// payload's centre of mass, as where the robot's base moves unrecorded, or inside the sensor, as where its readings of
 /// force alone are wrong. Not translated; empty where it is neither.
 Correlate actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
-  constexpr double kNear = 4e-3, kKnown = 8e-3;  // [m] To be there; largest deviation of where it acts
   // One or two may be there by chance, unless it is known exactly: of 24 touches none acted within 25 mm.
-  constexpr std::size_t kFew = 3;
-  constexpr double kExactly = 3e-3;  // [m]
   const auto length = static_cast<Eigen::Index>(std::max(1.0, std::round(0.1 * signals.blockRate())));
   Matrix3d A = Matrix3d::Zero();
   Vector3d b = Vector3d::Zero();
@@ -86,9 +83,9 @@ Correlate actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const s
     all += w.tail<3>().squaredNorm();
   }
   const double deviation = std::sqrt(A.inverse().diagonal().maxCoeff() * left / (3.0 * many));
-  const bool few = contacts.size() < kFew;
-  if (deviation > (few ? kExactly : kKnown)) return {};
-  const double near = few ? kNear : std::max(kNear, 3.0 * deviation);
+  const bool few = contacts.size() < kAgainAndAgain;
+  if (deviation > (few ? 1.0 : 2.0) * kSamePlace) return {};
+  const double near = few ? kSamePlace : std::max(kSamePlace, 3.0 * deviation);
   if (left < kSmallShare * all && (place - centre).norm() < near)
     return heft::toSay("the centre of mass, as if the robot's base moved");
   if (all < kLoudPower * torqueNoise / count * many && place.norm() < near && centre.norm() > 2.0 * near)
@@ -99,11 +96,7 @@ Correlate actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const s
 /// Whether the contacts come like clockwork while the tool moves, each like the others in the tool's axes, as where a
 /// valve switches: no hand and no place that the tool comes to does.
 bool areClockwork(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
-  constexpr std::size_t kFewest = 5;
-  constexpr double kRegular = 0.04;               // Share of the time between two; of the force
-  constexpr double kNearlyAll = 0.85;             // The last one may be cut short
-  constexpr double kMoves = 0.05, kTurns = 0.15;  // [m/s], [rad/s]
-  if (contacts.size() < kFewest) return false;
+  if (contacts.size() < kPattern) return false;
   std::vector<double> between;
   for (std::size_t i = 1; i < contacts.size(); ++i)
     between.push_back(0.5 * (contacts[i].from + contacts[i].to - contacts[i - 1].from - contacts[i - 1].to));
@@ -115,16 +108,16 @@ bool areClockwork(const Signals& signals, const Fit& fit, const std::vector<Cont
                        m = signals.samplesPerBlock;
     means.col(static_cast<Eigen::Index>(i)) = fit.residual.middleCols(from, count).rowwise().mean();
     const auto during = [&](const auto& of) { return of.middleCols(from * m, count * m).colwise().norm().mean(); };
-    moving += during(signals.velocity) > kMoves || during(signals.kinematics.omega) > kTurns ? 1 : 0;
+    moving += during(signals.velocity) > kStillSpeed || during(signals.kinematics.omega) > kStillTurning ? 1 : 0;
   }
   const Vector3d mean = means.topRows<3>().rowwise().mean();
   const double differs = (means.topRows<3>().colwise() - mean).colwise().norm().mean();
   const auto regular = std::ranges::count_if(between, [&](double time) {
     const double times = std::max(1.0, std::round(time / usual));  // One may have gone unseen
-    return std::abs(time - times * usual) < kRegular * usual;
+    return std::abs(time - times * usual) < kTinyShare * usual;
   });
   return static_cast<double>(regular) > kNearlyAll * static_cast<double>(between.size()) &&
-         2 * moving > contacts.size() && differs < kQuarter * mean.norm();
+         2 * moving > contacts.size() && differs < kMinorShare * mean.norm();
 }
 
 /// A way in which something that is no touch may go with the motion.
@@ -148,8 +141,8 @@ std::vector<Law> lawsOfMotors(const Signals& signals) {
       motor(0, n) = signals.dq().row(j).segment(n * m, m).cwiseAbs().mean() > still ? 1.0 : 0.0;
       motor(1, n) = signals.ddq().row(j).segment(n * m, m).cwiseAbs().mean() / most;
     }
-    out.push_back({Correlate(heft::toSay("the motor of joint {:.0f}"), static_cast<double>(j + 1)), std::move(motor),
-                   kClearMajority});
+    out.push_back(
+        {Correlate(heft::toSay("the motor of joint {:.0f}"), static_cast<double>(j + 1)), std::move(motor), kMajority});
   }
   return out;
 }
@@ -208,11 +201,9 @@ Correlate lawOf(const Signals& signals, const Fit& fit, const std::vector<Contac
   for (const Contact& contact : contacts)
     for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n)
       inContact[static_cast<std::size_t>(n)] = everywhere[static_cast<std::size_t>(n)] = true;
-  constexpr std::size_t kFewestInZone = 4;
-  constexpr double kFollows = 0.27, kFollowsInZone = 0.5, kFollowsSquare = 0.5;
   std::vector<Law> laws = lawsOfMotors(signals);
-  laws.push_back({heft::toSay("how fast the tool moves"), motion.topRows<3>(), kFollows, kFollowsInZone});
-  laws.push_back({heft::toSay("how fast the tool turns"), motion.bottomRows<3>(), kFollows, kFollowsInZone});
+  laws.push_back({heft::toSay("how fast the tool moves"), motion.topRows<3>(), kThird, kMajority});
+  laws.push_back({heft::toSay("how fast the tool turns"), motion.bottomRows<3>(), kThird, kMajority});
   // Whichever way, as what shakes or cools a sensor; bias and payload take the mean.
   const auto squareOf = [&](const auto& velocity) {
     MatrixXd out = MatrixXd::Ones(2, blocks);
@@ -220,8 +211,8 @@ Correlate lawOf(const Signals& signals, const Fit& fit, const std::vector<Contac
     out.row(1) /= std::max(1e-12, out.row(1).maxCoeff());
     return out;
   };
-  laws.push_back({heft::toSay("how fast the tool moves"), squareOf(motion.topRows<3>()), kFollowsSquare});
-  laws.push_back({heft::toSay("how fast the tool turns"), squareOf(motion.bottomRows<3>()), kFollowsSquare});
+  laws.push_back({heft::toSay("how fast the tool moves"), squareOf(motion.topRows<3>()), kMajority});
+  laws.push_back({heft::toSay("how fast the tool turns"), squareOf(motion.bottomRows<3>()), kMajority});
   Correlate best;
   double most = 0.0;
   const auto ask = [&](const Law& law, const std::vector<bool>& known, double follows) {
@@ -232,7 +223,7 @@ Correlate lawOf(const Signals& signals, const Fit& fit, const std::vector<Contac
   };
   for (const Law& law : laws) {
     ask(law, everywhere, law.follows);
-    if (law.followsInZone && contacts.size() >= kFewestInZone) ask(law, inContact, *law.followsInZone);
+    if (law.followsInZone && contacts.size() >= kPattern) ask(law, inContact, *law.followsInZone);
   }
   return best;
 }

@@ -64,12 +64,11 @@ bool turnsRound(const LeftOfForce& left, const Stretch& where) {
 /// Whether what is left in a stretch swings to and fro, along the direction that most of it takes: who pushes may pull
 /// once, but not again and again.
 bool swings(const Wrenches& scaled, const Stretch& where) {
-  constexpr double kOneSided = 0.35;  // Of the way to one side; of a push it is next to 1
   const auto part = scaled.middleCols(where.from, where.to - where.from);
   const MatrixXd directions = symmetricEigen(product(part, part.transpose())).vectors;
   const VectorXd course = part.transpose() * directions.col(5);
-  if (std::abs(course.sum()) > kOneSided * course.cwiseAbs().sum()) return false;
-  const double least = kQuarter * course.cwiseAbs().maxCoeff();
+  if (std::abs(course.sum()) > kThird * course.cwiseAbs().sum()) return false;
+  const double least = kMinorShare * course.cwiseAbs().maxCoeff();
   int lobes = 0;
   double side = 0.0;
   for (Eigen::Index n = 0; n < course.size(); ++n) {
@@ -93,7 +92,7 @@ bool isOneChannel(const Signals& signals, const LeftOfForce& left, const Stretch
                      to = std::min(signals.blocks(), where.to + kMomentBlocks) * m;
   const auto readings = signals.readings.row(channel).segment(from, to - from);
   const double most = left.usual(channel) * part.row(channel).cwiseAbs().maxCoeff();
-  return (readings.tail(to - from - 1) - readings.head(to - from - 1)).cwiseAbs().maxCoeff() > kQuarter * most;
+  return (readings.tail(to - from - 1) - readings.head(to - from - 1)).cwiseAbs().maxCoeff() > kMinorShare * most;
 }
 
 /// Share of what is left in a stretch beyond the usual that stays where what some motion smoothed less has there is
@@ -116,6 +115,7 @@ std::optional<double> shareNotLost(const Signals& signals, const LeftOfForce& le
 
 /// Whether it is what the smoothing of the motion leaves where a motor's force jumps.
 bool isSmoothed(const Signals& signals, const LeftOfForce& left, const Contact& contact) {
+  constexpr double kRingsOut = 0.4;  // [s]
   const auto share = shareNotLost(signals, left, contact.blocks);
   if (share && *share < kMajority) return true;
   const bool has = !share || *share < kNearlyWhole || signals.lost == nullptr || signals.lost->size() < kAgainAndAgain;
@@ -201,7 +201,6 @@ double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Inde
 }
 
 std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const std::vector<Stretch>& candidates) {
-  constexpr double kSteady = 0.45;  // [s] Shorter ones may be what a push begins or ends with
   std::vector<Contact> out;
   const LeftOfForce left = leftBy(signals, fit, candidates);
   for (const auto& stretch : candidates) {
@@ -211,11 +210,11 @@ std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const st
                     stretch,
                     {}};
     if (contact.evidence < kThreshold) continue;
-    if (contact.to - contact.from >= kKnockLasts && steadiness(left.scaled, stretch, signals.blockRate()) <= kSteady)
+    if (contact.to - contact.from >= kEvent && steadiness(left.scaled, stretch, signals.blockRate()) <= kMajority)
       contact.instead = heft::toSay("noise that comes and goes");
     else if (isOneChannel(signals, left, stretch))
       contact.instead = kOneChannel;
-    else if (contact.to - contact.from >= kKnockLasts && swings(left.scaled, stretch))
+    else if (contact.to - contact.from >= kEvent && swings(left.scaled, stretch))
       contact.instead = heft::toSay("something that swings to and fro");
     contact.smoothed = isSmoothed(signals, left, contact);
     out.push_back(contact);

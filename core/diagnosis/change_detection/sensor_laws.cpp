@@ -12,8 +12,6 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kNearlyAll = 0.92;  ///< Share of the power left in the contacts that a law must explain
-
 /// Share of the power left in the contacts, beyond the usual, that is gone where each channel may read what the model
 /// says for any moment up to a tenth of a second before, or after where `later`.
 double readAt(bool later, const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts,
@@ -41,8 +39,8 @@ bool comesLate(const Signals& signals, const Fit& fit, const std::vector<Contact
 }
 
 bool areShifted(const Signals& signals, const std::vector<Contact>& contacts, const Beyond& beyond) {
-  constexpr double kFarthest = 0.3, kStep = 0.25;  // [s], [blocks]
-  const auto most = static_cast<int>(kFarthest * signals.blockRate() / kStep);
+  constexpr double kStep = 0.25;  // [blocks]
+  const auto most = static_cast<int>(kEvent * signals.blockRate() / kStep);
   double all = 0.0, left = 0.0;
   for (const Contact& contact : contacts) {
     double least = 1e300, asItIs = 0.0;
@@ -62,11 +60,10 @@ bool areShifted(const Signals& signals, const std::vector<Contact>& contacts, co
     all += asItIs;
     left += least;
   }
-  return left < (1.0 - kClearMajority) * all;
+  return left < (1.0 - kMajority) * all;
 }
 
 bool areTorquesAlone(const Fit& fit, const std::vector<Contact>& contacts, const Beyond& beyond) {
-  constexpr double kReach = 0.6;  // [m]
   double force = 0.0, torque = 0.0, usual = 0.0;
   for (const Contact& contact : contacts) {
     const Eigen::Index count = contact.blocks.to - contact.blocks.from;
@@ -75,7 +72,7 @@ bool areTorquesAlone(const Fit& fit, const std::vector<Contact>& contacts, const
     torque += here.bottomRows<3>().squaredNorm();
     usual += static_cast<double>(count) * beyond.usual().tail<3>().sum();
   }
-  return torque > kLoudPower * usual && torque - usual > kReach * kReach * std::max(0.0, force);
+  return torque > kLoudPower * usual && torque - usual > kToolReach * kToolReach * std::max(0.0, force);
 }
 
 bool areMixedUp(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts, const Beyond& beyond) {
@@ -127,7 +124,6 @@ bool keepsOneDirection(const Wrenches& load, const std::vector<Contact>& contact
 }  // namespace
 
 bool growTogether(const Fit& fit, const std::vector<Contact>& contacts, const Beyond& beyond) {
-  constexpr double kLeft = 0.08;
   const Wrenches scaled = beyond.scaled(fit.residual), should = beyond.scaled(beyond.should);
   const auto factorOf = [](const auto& is, const auto& of) {
     return is.cwiseProduct(of).sum() / std::max(1e-300, of.squaredNorm());
@@ -150,13 +146,11 @@ bool growTogether(const Fit& fit, const std::vector<Contact>& contacts, const Be
                                       (is.col(n).tail<3>() - torque * of.col(n).tail<3>()).squaredNorm());
     }
   }
-  return std::min(left, ofBoth ? leftByUnits : all) < kLeft * all;
+  return std::min(left, ofBoth ? leftByUnits : all) < kSmallShare * all;
 }
 
 bool growBeyondALoad(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts,
                      const Beyond& beyond) {
-  constexpr double kOfSteady = 0.4;
-  constexpr double kOutside = 0.98;  // Of the blocks elsewhere have less load than half of those in contact
   constexpr int kLimits = 12;
   const Wrenches scaled = beyond.scaled(fit.residual);
   const VectorXd power = scaled.colwise().squaredNorm();
@@ -177,7 +171,7 @@ bool growBeyondALoad(const Signals& signals, const Fit& fit, const std::vector<C
     all += squares;
     steady += squares - sum.squaredNorm() / count;
   }
-  const double little = std::min(kMinorShare * all, kOfSteady * steady);
+  const double little = std::min(kMinorShare * all, kMajority * steady);
   const auto leftBeyond = [&](const VectorXd& load, double limit) {
     Vector6d with = Vector6d::Zero();
     double squares = 1e-300;
@@ -198,7 +192,7 @@ bool growBeyondALoad(const Signals& signals, const Fit& fit, const std::vector<C
       for (const Eigen::Index n : asked) inside.push_back(load(n));
       const double middle = median(inside);
       const auto less = std::ranges::count_if(outside, [&](double at) { return at < middle; });
-      if (static_cast<double>(less) < kOutside * static_cast<double>(outside.size())) continue;
+      if (static_cast<double>(less) < kNearlyWhole * static_cast<double>(outside.size())) continue;
       const double usual = median(outside);
       for (int i = 0; i < kLimits; ++i)
         if (leftBeyond(load, usual + (middle - usual) * i / kLimits) < little) return true;

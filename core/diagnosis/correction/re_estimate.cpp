@@ -110,7 +110,7 @@ bool possible(const EstimateReport& report) {
 /// From a mass that could be relied on before.
 bool movesFar(const EstimateReport& is, const EstimateReport& was) {
   if (was.trust == Trust::none) return false;
-  return std::abs(is.payload.mass - was.payload.mass) > kQuarter * std::abs(was.payload.mass);
+  return std::abs(is.payload.mass - was.payload.mass) > kMinorShare * std::abs(was.payload.mass);
 }
 
 void leaveAsItWas(DiagnosisReport& report, const Hypothesis& hypothesis, const char* code, std::string text,

@@ -10,8 +10,6 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kWindow = 0.02;  ///< [s]
-
 /// How much the mean drops when the share `cut` of a normal distribution is cut off, for one by which it then lies
 /// below the level.
 double lostMean(double cut) {
@@ -30,7 +28,7 @@ double lostMean(double cut) {
 Unclipped unclipped(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench, const std::vector<FlatTop>& tops,
                     double rateHz) {
   Unclipped out{wrench, std::vector<bool>(static_cast<std::size_t>(wrench.rows()), false)};
-  const auto window = std::max<Eigen::Index>(4, std::lround(kWindow * rateHz));
+  const auto window = std::max<Eigen::Index>(4, std::lround(kShortestGap * rateHz));
   for (const FlatTop& flat : tops) {
     const auto column = wrench.col(flat.channel);
     auto run = flat.runs.begin();

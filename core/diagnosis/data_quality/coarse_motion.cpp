@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/diagnosis/calibration.h"
@@ -24,8 +25,6 @@ MatrixXd motionColumns(const Recording& recording) {
 /// [s] From corner to corner where the columns are straight lines, as regular as what was interpolated is; else 0.
 double cornersEvery(const MatrixXd& columns, double rateHz) {
   constexpr double kCorner = 20.0;  // Times the usual bend from row to row
-  constexpr double kMost = 0.5;     // [s]
-  constexpr std::size_t kFewest = 20;
   const Eigen::Index n = columns.rows();
   if (n < 3) return 0.0;
   std::vector<double> bends;
@@ -40,14 +39,14 @@ double cornersEvery(const MatrixXd& columns, double rateHz) {
   for (std::size_t i = 0; i < bends.size(); ++i)
     if (bends[i] > corner && (corners.empty() || static_cast<double>(i) > corners.back() + 2.0))
       corners.push_back(static_cast<double>(i));
-  if (corners.size() < kFewest) return 0.0;
+  if (std::cmp_less(corners.size(), kFewestSamples)) return 0.0;
   for (std::size_t i = 1; i < corners.size(); ++i) apart.push_back(corners[i] - corners[i - 1]);
   const double usual = median(apart);
   const auto regular = std::ranges::count_if(
       apart, [&](double rows) { return std::abs(rows - usual * std::max(1.0, std::round(rows / usual))) < 1.5; });
   if (static_cast<double>(regular) <= kLargeShare * static_cast<double>(apart.size())) return 0.0;
   const double every = usual / rateHz;
-  return every > kShortestGap && every < kMost ? every : 0.0;
+  return every > kShortestGap ? every : 0.0;
 }
 
 /// The coarsest step of a few columns; 0 where none is regular.
@@ -61,16 +60,14 @@ double coarsestOf(const MatrixXd& columns) {
 }  // namespace
 
 std::optional<CoarseMotion> coarseMotion(const Recording& recording) {
-  // Robots report angles to a few thousandths of a degree at worst, trackers places to a tenth of a millimetre.
-  constexpr double kFineAngle = 2e-4, kFinePlace = 3e-4;
   CoarseMotion out;
   if (recording.rateHz() > 0.0) out.every = cornersEvery(motionColumns(recording), recording.rateHz());
   if (recording.q.rows() > 0)
     out.stepAngle = coarsestOf(recording.q);
   else
     out.stepPlace = coarsestOf(recording.position);
-  if (out.stepAngle < kFineAngle) out.stepAngle = 0.0;
-  if (out.stepPlace < kFinePlace) out.stepPlace = 0.0;
+  if (out.stepAngle < kFineMotion) out.stepAngle = 0.0;
+  if (out.stepPlace < kFineMotion) out.stepPlace = 0.0;
   if (out.every > 0.0 || out.stepAngle > 0.0 || out.stepPlace > 0.0) return out;
   return std::nullopt;
 }

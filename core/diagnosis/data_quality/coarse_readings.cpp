@@ -44,13 +44,12 @@ double ownStep(const Recording& recording, Eigen::Index channel) {
   }
   if (static_cast<double>(still) < kMajority * static_cast<double>(fresh)) return 0.0;
   const auto step = stepOf({y.begin(), y.end()});
-  return step && *step * *step / 12.0 > kQuarter * scatterOf(y, recording.rateHz()) ? *step : 0.0;
+  return step && *step * *step / 12.0 > kMinorShare * scatterOf(y, recording.rateHz()) ? *step : 0.0;
 }
 
 }  // namespace
 
 CoarseReadings coarseReadings(const Recording& recording) {
-  constexpr double kSameStep = 1.1;  // And the digits of the file
   CoarseReadings out{Vector6d::Zero(), silentChannels(recording.wrench)};
   Vector6d& steps = out.steps;
   for (Eigen::Index c = 0; c < 6; ++c) steps(c) = ownStep(recording, c);
@@ -60,7 +59,7 @@ CoarseReadings coarseReadings(const Recording& recording) {
     if (steps(c) > 0.0 || step <= 0.0 || !out.silent[static_cast<std::size_t>(c)]) continue;
     const auto y = recording.wrench.col(c);
     const double farthest = (y.array() - median({y.begin(), y.end()})).abs().maxCoeff();
-    if (farthest < kSameStep * step) steps(c) = step;
+    if (farthest < (1.0 + kSmallShare) * step) steps(c) = step;  // The file's digits make it a little more
   }
   return out;
 }

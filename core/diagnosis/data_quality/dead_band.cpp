@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis/calibration.h"
 #include "core/recording/frozen.h"
 
 namespace heft::diagnosis {
 
 namespace {
-
-constexpr std::ptrdiff_t kFewestReadings =
-    10;  ///< Equal readings; readings just beyond the band; different ones among these
 
 /// The value that comes most often, of readings in order.
 double commonest(const std::vector<double>& ordered) {
@@ -30,14 +28,13 @@ double commonest(const std::vector<double>& ordered) {
 }  // namespace
 
 std::vector<DeadBand> deadBands(const Recording& recording) {
-  constexpr double kLeastShare = 0.005;
   const Eigen::Index rows = recording.rows();
   std::vector<DeadBand> out;
   for (Eigen::Index c = 0; c < 6; ++c) {
     const auto y = recording.wrench.col(c);
     std::ptrdiff_t repeats = 0;
     for (Eigen::Index i = 1; i < rows; ++i) repeats += y(i) == y(i - 1) ? 1 : 0;
-    if (repeats < kFewestReadings) continue;
+    if (repeats < kFewestSamples) continue;
     std::vector<double> readings;
     for (Eigen::Index i = 0; i < rows; ++i)
       if (!recording.wrench.row(i).isZero(0.0)) readings.push_back(y(i));
@@ -45,7 +42,7 @@ std::vector<DeadBand> deadBands(const Recording& recording) {
     DeadBand band{c, commonest(readings), 0.0, 0.0, {}};
     const auto count = std::ranges::count(readings, band.reads);
     band.share = static_cast<double>(count) / static_cast<double>(rows);
-    if (count < kFewestReadings || band.share < kLeastShare) continue;
+    if (count < kFewestSamples || band.share < kHardlyAny) continue;
     // A gap to either side, and readings as close to one another as ever just beyond it.
     readings.erase(std::unique(readings.begin(), readings.end()), readings.end());
     const auto at = std::ranges::lower_bound(readings, band.reads);
@@ -53,7 +50,7 @@ std::vector<DeadBand> deadBands(const Recording& recording) {
     band.width = std::min(*at - *(at - 1), *(at + 1) - *at);
     const auto beyond = std::ranges::count_if(
         readings, [&](double r) { return r != band.reads && std::abs(r - band.reads) < 2.0 * band.width; });
-    if (beyond < kFewestReadings) continue;
+    if (beyond < kFewestSamples) continue;
     for (Eigen::Index i = 0; i < rows; ++i) {
       if (y(i) != band.reads) continue;
       if (band.runs.empty() || band.runs.back().second < i) band.runs.emplace_back(i, i);
@@ -73,12 +70,11 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording
 
 std::optional<FrozenChannel> frozenChannel(const Recording& recording, const std::vector<FlatTop>& tops,
                                            const Vector6d& steps) {
-  constexpr double kShortest = 0.3;  // [s]
   std::optional<FrozenChannel> out;
   const Changes rows = changesOf(recording.wrench);
   for (Eigen::Index c = 0; c < 6; ++c) {
     if (steps.segment<3>(c < 3 ? 0 : 3).maxCoeff() > 0.0) continue;
-    for (const FrozenStretch& still : frozenStretches(recording.time, changesOf(recording.wrench.col(c)), kShortest)) {
+    for (const FrozenStretch& still : frozenStretches(recording.time, changesOf(recording.wrench.col(c)), kEvent)) {
       const double value = recording.wrench(still.from, c), from = recording.time(still.from),
                    to = recording.time(still.to - 1);
       const bool atEnd = std::ranges::any_of(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "core/diagnosis/calibration.h"
 #include "core/math/statistics.h"
@@ -56,26 +57,25 @@ bool makesUp(const Recording& recording, Eigen::Index from, Eigen::Index to) {
   for (Eigen::Index i = std::max<Eigen::Index>(1, from - reach); i < from; ++i) take(i);
   for (Eigen::Index i = to + 1; i < std::min(recording.rows(), to + 1 + reach); ++i) take(i);
   return static_cast<double>(moves) > kLargeShare * static_cast<double>(steps.size()) &&
-         stepTo(recording, to) > kClearMajority * static_cast<double>(length + 1) * median(std::move(steps));
+         stepTo(recording, to) > kMajority * static_cast<double>(length + 1) * median(std::move(steps));
 }
 
 }  // namespace
 
 std::vector<Held> heldRows(const Recording& recording) {
-  constexpr double kLonger = 5.0;  // Times the usual run
   const auto runs = wrenchRuns(recording.wrench);
   const double usual = static_cast<double>(recording.rows()) / std::max(1.0, static_cast<double>(runs.size()));
   std::vector<Held> out;
   Eigen::Index count = 0;
   for (const auto& [from, to] : runs) {
     const double lasts = recording.time(to - 1) - recording.time(from);
-    if (lasts < kShortestGap || static_cast<double>(to - from) < kLonger * usual) continue;
+    if (lasts < kShortestGap || static_cast<double>(to - from) < kStandsOut * usual) continue;
     Held run{from + 1, to};
     run.motionToo = stoodStill(recording, run);
     out.push_back(run);
     count += run.to - run.from;
   }
-  if (static_cast<double>(count) > kQuarter * static_cast<double>(recording.rows())) out.clear();
+  if (static_cast<double>(count) > kMinorShare * static_cast<double>(recording.rows())) out.clear();
   return out;
 }
 
@@ -127,12 +127,11 @@ Runs staleRuns(const Recording& recording) {
 }
 
 Runs replayedRuns(const Recording& recording) {
-  constexpr Eigen::Index kFewest = 15;
   std::map<std::array<double, 6>, Eigen::Index> last;  // Row at which a reading was seen
   Runs out;
   Eigen::Index from = 0, back = 0, fresh = 0;  // The run so far: how many rows before it was read first
   const auto ends = [&](Eigen::Index to) {
-    if (back > 0 && to - from >= kFewest && recording.time(to - 1) - recording.time(from) >= kShortestGap &&
+    if (back > 0 && to - from >= kFewestSamples && recording.time(to - 1) - recording.time(from) >= kShortestGap &&
         static_cast<double>(fresh) > kLargeShare * static_cast<double>(to - from))
       out.emplace_back(from, to);
     from = to;
@@ -155,7 +154,6 @@ Runs replayedRuns(const Recording& recording) {
 }
 
 Runs zeroRuns(const Recording& recording) {
-  constexpr Eigen::Index kFewest = 3;
   Runs out;
   Eigen::Index count = 0;
   for (const auto& [from, to] : wrenchRuns(recording.wrench)) {
@@ -163,7 +161,7 @@ Runs zeroRuns(const Recording& recording) {
     out.emplace_back(from, to);
     count += to - from;
   }
-  if (count < kFewest) out.clear();
+  if (std::cmp_less(count, kAgainAndAgain)) out.clear();
   return out;
 }
 
@@ -179,8 +177,7 @@ void straightOver(const Runs& runs, const VectorXd& time, Eigen::Ref<MatrixXd> r
 }
 
 void refresh(Recording& cleaned, const Recording& recording, Runs stale, const std::vector<Held>& notJudged) {
-  // [s] Across more than that, a hand's tremor is guessed: then readings had better be late
-  constexpr double kLongest = 0.02;
+  // Across more than that, a hand's tremor is guessed: then readings had better be late.
   std::erase_if(stale, [&](const auto& run) {
     return stoodStill(recording, {run.first, run.second}) ||
            std::ranges::any_of(notJudged, [&](const Held& held) { return held.from == run.first; });
@@ -191,7 +188,7 @@ void refresh(Recording& cleaned, const Recording& recording, Runs stale, const s
     sum += lasts;
     squares += lasts * lasts;
   }
-  if (squares > kLongest * sum) return;
+  if (squares > kShortestGap * sum) return;
   std::vector<bool> old(static_cast<std::size_t>(recording.rows()), false);
   for (const auto& [from, to] : stale) std::fill(old.begin() + from, old.begin() + to, true);
   const VectorXd& time = cleaned.time;

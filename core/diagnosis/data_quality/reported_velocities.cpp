@@ -19,13 +19,9 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kEdge = 0.5;        ///< [s] left out at either end, where filters settle
-constexpr double kLongest = 0.4;     ///< [s] of lag that is looked for
+constexpr double kLongest = 0.5;     ///< [s] of lag that is looked for; left out at either end, where filters settle
 constexpr double kLagNamed = 0.003;  ///< [s]
-constexpr double kLossNamed = 0.03;
-constexpr double kNoiseNamed = 0.05;     ///< Of the motion's own speed
 constexpr double kNoiseMatters = 0.004;  ///< [rad/s, m/s]; less is how finely velocities are reported
-constexpr double kMemory = 0.05;         ///< [s] over which what is left over does not change
 
 /// Slope of the angles, or of the pose, `q` (D x K) as it would be reported with a lag [s].
 using Reporting = std::function<MatrixXd(const MatrixXd& q, const MatrixXd& slope, double lag, double rateHz)>;
@@ -45,16 +41,16 @@ class Comparison {
         reported_(std::move(reported)),
         rateHz_(rateHz),
         halfStep_(0.5 / std::max(1.0, recordedHz)) {
-    const auto edge = static_cast<Eigen::Index>(kEdge * rateHz_);
+    const auto edge = static_cast<Eigen::Index>(kLongest * rateHz_);
     for (Eigen::Index k = edge; k < q_.cols() - edge; ++k)
       if (std::ranges::none_of(leaps, [t = static_cast<double>(k) / rateHz_](double leap) {
-            return t > leap - kEdge && t < leap + kEdge + 2.0 * kLongest;
+            return t > leap - kLongest && t < leap + kLongest + 2.0 * kLongest;
           }))
         compared_.push_back(k);
   }
 
   /// Whether there is enough to compare.
-  bool enough() const { return static_cast<double>(compared_.size()) > 2.0 * kEdge * rateHz_ + 50.0; }
+  bool enough() const { return static_cast<double>(compared_.size()) > 2.0 * kLongest * rateHz_ + 50.0; }
 
   Match at(const Reporting& reporting, double lag) const {
     const MatrixXd said = reporting(q_, slope_, lag, rateHz_);
@@ -69,9 +65,9 @@ class Comparison {
 
   /// The lag that fits best: on a coarse grid first, then by golden sections.
   Match best(const Reporting& reporting) const {
-    constexpr double kStart = 0.001, kGrowth = 1.35, kGolden = 0.618;
-    Match out = at(reporting, kStart);
-    for (double lag = kStart * kGrowth; lag < kLongest; lag *= kGrowth)
+    constexpr double kGrowth = 1.35, kGolden = 0.618;
+    Match out = at(reporting, kLagNamed);
+    for (double lag = kLagNamed * kGrowth; lag < kLongest; lag *= kGrowth)
       if (const Match trial = at(reporting, lag); trial.left < out.left) out = trial;
     double low = out.lag / kGrowth, high = std::min(kLongest, out.lag * kGrowth);
     while (high - low > std::max(1e-4, 0.01 * low)) {
@@ -103,7 +99,7 @@ class Comparison {
     const double bend =
         (at(reporting, match.lag + h).left + at(reporting, std::max(1e-4, match.lag - h)).left - 2.0 * match.left) /
         (h * h);
-    const double independent = numbers() / std::max(1.0, kMemory * rateHz_);
+    const double independent = numbers() / std::max(1.0, kMoment * rateHz_);
     // A filter in steps of the recording is no better known than to half a step.
     return std::max(halfStep_, bend > 0.0 ? std::sqrt(2.0 * match.left / independent / bend) : match.lag);
   }
@@ -180,7 +176,7 @@ void dropReportedVelocities(Recording& recording) {
 
 std::vector<Direct> reportedVelocities(const Recording& recording, const Motion& motion) {
   std::vector<Direct> out;
-  if (static_cast<double>(motion.size()) < 4.0 * kEdge * motion.rateHz + 50.0) return out;
+  if (static_cast<double>(motion.size()) < 4.0 * kLongest * motion.rateHz + 50.0) return out;
   const auto compared = comparisonOf(recording, motion);
   if (!compared || !compared->enough()) return out;
   const Comparison& comparison = *compared;
@@ -210,20 +206,19 @@ std::vector<Direct> reportedVelocities(const Recording& recording, const Motion&
     found.cause = ids::motionLag;
     found.ofVelocities = true;
     // A robot smooths its joints' velocities; what that makes of the tool's depends on how the arm stands.
-    constexpr double kOfJoints = 0.06;
-    const double ofJoints = motion.q.cols() == motion.size() ? 0.0 : kOfJoints * late.lag;
+    const double ofJoints = motion.q.cols() == motion.size() ? 0.0 : kTinyShare * late.lag;
     found.parameters = {{"lag", "ms", late.lag * 1e3, 1e3 * std::hypot(comparison.deviation(*way, late), ofJoints)}};
     out.push_back(std::move(found));
   }
   const double scale = lags ? late.scale : plain.scale;
-  if (std::abs(scale - 1.0) > kLossNamed) {
+  if (std::abs(scale - 1.0) > kFormError) {
     Direct found;
     found.cause = ids::derivativeNoise;
     found.ofVelocities = true;
     found.parameters = {{"loss", "%", 100.0 * (1.0 - scale), 0.5}};
     out.push_back(std::move(found));
   } else if (const double noise = comparison.leftOver(lags ? late : plain);
-             !lags && noise > std::max(kNoiseMatters, kNoiseNamed * comparison.speed())) {
+             !lags && noise > std::max(kNoiseMatters, kTinyShare * comparison.speed())) {
     Direct found;
     found.cause = ids::derivativeNoise;
     found.ofVelocities = true;

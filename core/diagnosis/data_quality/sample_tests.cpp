@@ -42,7 +42,6 @@ std::optional<Direct> saturation(const Recording& recording, const std::vector<F
 /// Of the rows in which `cleaned` differs from `raw`, those in which one channel leaps far and no other leaps with it:
 /// a knock or a jerk of the arm is felt by several.
 Eigen::Index loneSpikes(const WrenchSamples& raw, const WrenchSamples& cleaned) {
-  constexpr double kFar = 60.0;  // Times the noise
   std::array<double, 6> noise{};
   for (std::size_t c = 0; c < 6; ++c) {
     const auto y = raw.col(static_cast<Eigen::Index>(c));
@@ -58,7 +57,7 @@ Eigen::Index loneSpikes(const WrenchSamples& raw, const WrenchSamples& cleaned) 
     for (Eigen::Index c = 0; c < 6; ++c) {
       const double usual = noise[static_cast<std::size_t>(c)],
                    off = std::abs(raw(i, c) - 0.5 * (cleaned(i - 1, c) + cleaned(i + 1, c)));
-      far += off > kFar * usual ? 1 : 0;
+      far += off > kFarOut * usual ? 1 : 0;
       felt += off > kStandsOut * usual ? 1 : 0;
     }
     out += far == 1 && felt == 1 ? 1 : 0;

@@ -35,13 +35,12 @@ std::vector<Gap> gapsIn(const std::vector<double>& ordered) {
 }  // namespace
 
 std::vector<StuckBit> stuckBits(const Recording& recording) {
-  constexpr std::size_t kFewest = 4;  // Gaps
   std::vector<StuckBit> out;
   for (Eigen::Index c = 0; c < 6; ++c) {
     const auto ordered = usualOnes({recording.wrench.col(c).begin(), recording.wrench.col(c).end()});
     if (ordered.empty()) continue;
     const auto gaps = gapsIn(ordered);
-    if (gaps.size() < kFewest) continue;
+    if (gaps.size() < kPattern) continue;
     std::vector<double> widths;
     for (const Gap& gap : gaps) widths.push_back(gap.width);
     const double worth = median(widths);
@@ -49,7 +48,7 @@ std::vector<StuckBit> stuckBits(const Recording& recording) {
     std::size_t fits = 0;
     for (std::size_t i = 1; i < gaps.size(); ++i) {
       const double apart = (gaps[i].from - gaps[i - 1].from) / worth;
-      fits += std::abs(gaps[i].width / worth - 1.0) < kFifth && std::abs(apart - 2.0) < kFifth ? 1 : 0;
+      fits += std::abs(gaps[i].width / worth - 1.0) < kMinorShare && std::abs(apart - 2.0) < kMinorShare ? 1 : 0;
     }
     if (static_cast<double>(fits) > kLargeShare * static_cast<double>(gaps.size() - 1)) out.push_back({c, worth});
   }

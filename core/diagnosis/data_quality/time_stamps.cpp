@@ -9,10 +9,7 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kUneven = 0.05;      ///< Steps; what a real-time logger stays below by far
 constexpr Eigen::Index kBlock = 200;  ///< Rows over whose mean lateness comes and goes
-constexpr double kAstray =
-    0.5;  ///< Of the deviation that such means may have: beyond, rows are missing or the clock drifts
 
 /// How far each row lies off the line between its neighbours, as a sum of squares over all columns.
 double roughness(const MatrixXd& rows, const VectorXd& time) {
@@ -47,7 +44,8 @@ std::optional<UnevenStamps> unevenStamps(const Recording& recording) {
   out.even = (step * row).array() + middle;
   const VectorXd off = time - out.even;
   const double deviation = std::sqrt(off.squaredNorm() / static_cast<double>(n));
-  if (deviation < kUneven * step || slowPart(off) > kAstray * deviation) return std::nullopt;
+  // A real-time logger stays below by far; where such means have more, rows are missing or the clock drifts.
+  if (deviation < kTinyShare * step || slowPart(off) > kMajority * deviation) return std::nullopt;
   if (roughness(moved, out.even) > kLargeShare * roughness(moved, time)) return std::nullopt;
   out.spread = off.maxCoeff() - off.minCoeff();
   return out;

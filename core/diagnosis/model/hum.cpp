@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/model/noise.h"
 #include "core/math/periodogram.h"
 #include "core/math/statistics.h"
@@ -13,9 +14,9 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kLineStandsOut = 10.0;  ///< Times the power beside a line; noise reaches 3.5
-constexpr double kLowestHz = 22.0, kHighestHz = 250.0, kOfRate = 0.45;
-constexpr std::size_t kFewestSeconds = 5, kMostSeconds = 16;  ///< Windows of a second
+constexpr double kLowestHz = 22.0, kOfRate = 0.45;
+constexpr Eigen::Index kBeside = 10, kNear = 2;  ///< Lines, a hertz apart; noise reaches 3.5 times the power of these
+constexpr std::size_t kMostSeconds = 16;         ///< Windows of a second
 
 /// First rows of windows that lie in usable blocks, spread over the recording.
 std::vector<Eigen::Index> windowsOf(const Recording& recording, const Signals& signals, Eigen::Index length) {
@@ -40,15 +41,12 @@ std::vector<Eigen::Index> windowsOf(const Recording& recording, const Signals& s
 }  // namespace
 
 std::optional<Hum> humIn(const Recording& recording, const Signals& signals) {
-  constexpr double kBroad = 0.25;                  ///< Of a line's power, two hertz to either side; a taper leaves 0.1
-  constexpr Eigen::Index kBeside = 10, kNear = 2;  ///< Lines, a hertz apart
   const double rate = recording.rateHz();
   const auto length = static_cast<Eigen::Index>(std::lround(rate));
-  const auto last = static_cast<Eigen::Index>(std::min(kHighestHz, kOfRate * rate)),
-             first = static_cast<Eigen::Index>(kLowestHz);
+  const auto last = static_cast<Eigen::Index>(kOfRate * rate), first = static_cast<Eigen::Index>(kLowestHz);
   if (last < first + kBeside) return std::nullopt;
   const auto windows = windowsOf(recording, signals, length);
-  if (windows.size() < kFewestSeconds) return std::nullopt;
+  if (windows.size() < kPattern) return std::nullopt;
   std::vector<MatrixXd> powers(windows.size());
   parallelFor(windows.size(), [&](std::size_t i) {
     powers[i] = taperedPower(recording.wrench.middleRows(windows[i], length).transpose(), last);
@@ -62,7 +60,7 @@ std::optional<Hum> humIn(const Recording& recording, const Signals& signals) {
       power(c, k) = median(each);
     }
   std::optional<Hum> out;
-  double most = kLineStandsOut;
+  double most = kLoud;
   for (Eigen::Index k = first; k < last - 1; ++k) {
     Vector6d line;
     double stands = 0.0, share = 0.0;
@@ -72,8 +70,8 @@ std::optional<Hum> humIn(const Recording& recording, const Signals& signals) {
         if (std::abs(j - k) > kNear) beside.push_back(power(c, j));
       const double floor = median(beside);
       line(c) = std::max(0.0, power.row(c).segment(k - 1, 3).sum() - 3.0 * floor);
-      // What rings between knocks is broader than what turns.
-      const bool narrow = power(c, k - 2) + power(c, std::min(last - 1, k + 2)) < kBroad * power(c, k);
+      // What rings between knocks is broader than what turns, of which a taper leaves 0.1 two hertz to either side.
+      const bool narrow = power(c, k - 2) + power(c, std::min(last - 1, k + 2)) < kMinorShare * power(c, k);
       if (!narrow || power(c, k) <= stands * floor) continue;
       stands = power(c, k) / std::max(floor, 1e-300);
       share = line(c) / power.row(c).tail(last - first + 1).sum();
@@ -92,7 +90,6 @@ std::optional<Hum> humIn(const Recording& recording, const Signals& signals) {
 }
 
 std::optional<double> pitchIn(const Signals& signals) {
-  constexpr Eigen::Index kBeside = 12, kBroad = 4;  ///< Lines, a hertz apart
   const auto length = static_cast<Eigen::Index>(std::lround(signals.rateHz)),
              last = static_cast<Eigen::Index>(kOfRate * signals.rateHz), first = static_cast<Eigen::Index>(kLowestHz);
   const Eigen::Index m = signals.samplesPerBlock;
@@ -102,12 +99,12 @@ std::optional<double> pitchIn(const Signals& signals) {
     for (Eigen::Index from = s.from * m; from + length <= s.to * m; from += length / 2, ++windows)
       power += taperedPower(signals.readings.middleCols(from, length), last);
   std::optional<double> out;
-  double most = kLineStandsOut;
-  for (Eigen::Index k = first; windows >= kFewestSeconds && k < last; ++k)
+  double most = kLoud;
+  for (Eigen::Index k = first; windows >= kPattern && k < last; ++k)
     for (Eigen::Index c = 0; c < 6; ++c) {
       std::vector<double> beside;
       for (Eigen::Index j = std::max(first, k - kBeside); j <= std::min(last - 1, k + kBeside); ++j)
-        if (std::abs(j - k) > kBroad) beside.push_back(power(c, j));
+        if (std::abs(j - k) > kNear) beside.push_back(power(c, j));
       const double stands = power(c, k) / std::max(median(std::move(beside)), 1e-300);
       if (stands <= most) continue;
       most = stands;

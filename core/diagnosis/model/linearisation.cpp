@@ -212,8 +212,7 @@ void CachedJacobian::refresh(const Model& model) { update(model, kStep); }
 void CachedJacobian::update(const Model& model, double far) {
   const bool bends = std::ranges::any_of(model.terms, bendsOrChanges),
              linear = std::ranges::all_of(model.terms, [](const Term&t) { return t.form->cause->linear(*t.form); });
-  constexpr double kOfLoad = 0.3;  ///< As a load weighs on all columns of what bends
-  bool everything = bends && otherLoad(model.x.tail<10>(), whole_.x.tail<10>(), std::max(kStep, kOfLoad * far));
+  bool everything = bends && otherLoad(model.x.tail<10>(), whole_.x.tail<10>(), far);
   enum class Which { none, shape, all };
   std::vector<Which> again(model.terms.size(), Which::none);
   for (std::size_t i = 0; i < again.size(); ++i) {

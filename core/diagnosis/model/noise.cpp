@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis/calibration.h"
+
 namespace heft::diagnosis {
 
 namespace {
@@ -11,7 +13,7 @@ constexpr int kMaxOrder = 8;
 constexpr Eigen::Index kShortestRun = 12;
 /// Share of the power that innovations keep at least. A misfit that is slow and large is no noise: with a memory of any
 /// length it would cost nothing, and the fit would follow what is fast and small instead.
-constexpr double kFloor = 0.01;
+constexpr double kFloor = kHardlyAny;
 
 /// All blocks equally loud.
 Noise fittedEven(const Wrenches& residual, const std::vector<Stretch>& stretches, int maxOrder) {

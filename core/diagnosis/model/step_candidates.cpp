@@ -44,7 +44,7 @@ std::vector<StepCandidate> stepCandidatesIn(const Signals& signals, const std::v
              const Vector6d taken = stepOf(lost, at[i]).cwiseQuotient(usual);
              const double share = std::clamp(taken.dot(step) / std::max(taken.squaredNorm(), 1e-300), 0.0, 1.0);
              return (step - share * taken).squaredNorm() < kMajority * size[i] ||
-                    taken.squaredNorm() > kManyTimes * size[i];
+                    taken.squaredNorm() > kStandsOut * size[i];
            });
   });
   std::vector<StepCandidate> out;

@@ -27,7 +27,6 @@ struct AlternativeExplanation {
 AlternativeExplanation alternativeExplanationOf(const Signals& whole, SignatureBank& bank, const Search& found,
                                                 const std::vector<Contact>& contacts,
                                                 const std::vector<Stretch>& holes) {
-  constexpr double kShareOfContact = 0.9;
   std::vector<std::string_view> causes;
   for (const auto& cause : catalogue())
     if (cause->id() != ids::contact && cause->id() != kRandomWalk) causes.push_back(cause->id());
@@ -46,7 +45,7 @@ AlternativeExplanation alternativeExplanationOf(const Signals& whole, SignatureB
       out.cause = causeOf(other->model.terms.back());
     }
   out.share = 1.0 - evidenceOf(left) / evidenceOf(contacts);
-  out.contacts = out.share > kShareOfContact ? std::move(left) : contacts;
+  out.contacts = out.share > kNearlyAll ? std::move(left) : contacts;
   return out;
 }
 
@@ -154,7 +153,7 @@ void shortenTheLongest(Hypothesis& hypothesis, const Signals& whole, SearchOptio
   const auto at = std::ranges::max_element(others, {}, [](const Contact& c) { return c.to - c.from; });
   const Contact longest = *at;
   const double lasts = longest.to - longest.from;
-  if (lasts < kQuarter * whole.duration()) return;
+  if (lasts < kTouched * whole.duration()) return;
   others.erase(at);
   Hypothesis judged;
   judged.mountTurnReported = hypothesis.mountTurnReported;
@@ -172,7 +171,7 @@ void shortenTheLongest(Hypothesis& hypothesis, const Signals& whole, SearchOptio
   std::fill(rest.begin() + longest.blocks.from, rest.begin() + longest.blocks.to, true);
   for (const Stretch& hole : holes) std::fill(rest.begin() + hole.from, rest.begin() + hole.to, false);
   const std::vector<Contact> left = contactsAmong(stretchesOf(rest));
-  if (contains(judged.search.final.model, ids::contact) || durationOf(left) > kQuarter * lasts) return;
+  if (contains(judged.search.final.model, ids::contact) || durationOf(left) > kMinorShare * lasts) return;
   for (const Contact& contact : left) holes.push_back(contact.blocks);
   std::ranges::sort(holes, {}, &Stretch::from);
   if (!left.empty()) {

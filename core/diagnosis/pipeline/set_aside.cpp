@@ -26,7 +26,7 @@ void setAllAside(Hypothesis& hypothesis, Correlate correlate) {
 /// How many times its usual power the noise has near a touch, but not in it; 1 where it is quieter. `e`: innovations, 6
 /// x N.
 double loudnessBeside(const Contact& touch, const Hypothesis& hypothesis, const Eigen::Map<const Wrenches>& e) {
-  constexpr double kNear = 2.0, kWindow = 1.0;  // [s]
+  constexpr double kWindow = 1.0;  // [s]
   const auto length = static_cast<Eigen::Index>(kWindow * hypothesis.signals.blockRate());
   std::vector<double> usual;
   double near = 0.0, count = 0.0;
@@ -35,7 +35,7 @@ double loudnessBeside(const Contact& touch, const Hypothesis& hypothesis, const 
       usual.push_back(e.middleCols(n, length).squaredNorm() / static_cast<double>(length));
     for (Eigen::Index n = s.from; n < s.to; ++n) {
       const double t = hypothesis.signals.blockTime(n);
-      if (t < touch.from - kNear || t > touch.to + kNear || (t > touch.from - kMoment && t < touch.to + kMoment))
+      if (t < touch.from - kBriefly || t > touch.to + kBriefly || (t > touch.from - kMoment && t < touch.to + kMoment))
         continue;
       near += e.col(n).squaredNorm();
       count += 1.0;
@@ -52,11 +52,10 @@ bool wereTouches(double peak, double evidence, double longest, const Hypothesis&
   // Nobody touches with a torque and no force: one of 408 others, over 1.2 s, had 433 and 0.4 times the noise.
   constexpr double kOfNoise = 0.7;
   // What lasts has more room for what others leave.
-  constexpr double kLasts = 1.5;  // [s]
   double others = 0.0;
   for (const Found& found : hypothesis.search.found)
     if (found.cause != ids::contact) others += found.gain;
-  if (evidence < kClearEvidence + (longest > kLasts ? kBroadError : kFormError) * others) return false;
+  if (evidence < kClearEvidence + (longest > kBriefly ? kBroadError : kFormError) * others) return false;
   return peak > (evidence > 2.0 * kFaint ? kOfNoise : 1.0) *
                     rmsOf(hypothesis.stretches, hypothesis.search.final.residual).force;
 }
@@ -163,7 +162,7 @@ std::vector<Stretch> holesWithTouches(const Signals& signals, const SearchStatus
   if (!plain && !(standing.gain > kOverwhelming && goOn(touches, holes))) return {};
   auto out = together(holes, touches);
   const double judged = blocksIn(stretchesOf(signals.usable));
-  return blocksIn(out) - blocksIn(holes) < kQuarter * judged ? out : std::vector<Stretch>{};
+  return blocksIn(out) - blocksIn(holes) < kTouched * judged ? out : std::vector<Stretch>{};
 }
 
 void setUnexplainedAside(Hypothesis& hypothesis, const Signals& whole) {
@@ -187,7 +186,6 @@ void setUnexplainedAside(Hypothesis& hypothesis, const Signals& whole) {
 }
 
 void setTouchesAside(Hypothesis& hypothesis) {
-  constexpr std::ptrdiff_t kMostTouches = 4;
   Search& search = hypothesis.search;
   const auto found =
       std::find_if(search.found.begin(), search.found.end(), [](const Found& f) { return f.cause == ids::contact; });
@@ -215,7 +213,7 @@ void setTouchesAside(Hypothesis& hypothesis) {
   const bool touched = wereTouches(peak, evidence, longest, hypothesis);
   search.found.erase(found);
   Model model = without(search.final.model, ids::contact);
-  if (durationOf(touches) < kQuarter * signals.duration() && std::ssize(touches) <= kMostTouches && touched) {
+  if (durationOf(touches) < kTouched * signals.duration() && std::ssize(touches) <= kOverfitted && touched) {
     Signals less = signals;
     leaveOut(less, blocksOf(touches));
     if (auto stretches = stretchesOf(less.usable); !stretches.empty()) {
@@ -234,10 +232,9 @@ void setTouchesAside(Hypothesis& hypothesis) {
 }
 
 void setKnocksAside(Hypothesis& hypothesis) {
-  /// Of five recordings with two or more, and nothing longer, none had been touched
-  constexpr std::ptrdiff_t kKnocks = 3;
-  if (std::ssize(hypothesis.contacts) < kKnocks ||
-      std::ranges::any_of(hypothesis.contacts, [](const Contact& c) { return c.to - c.from > kKnockLasts; }))
+  // Of five recordings with two or more, and nothing longer, none had been touched.
+  if (hypothesis.contacts.size() < kAgainAndAgain ||
+      std::ranges::any_of(hypothesis.contacts, [](const Contact& c) { return c.to - c.from > kEvent; }))
     return;
   setAllAside(hypothesis, heft::toSay("short knocks"));
 }

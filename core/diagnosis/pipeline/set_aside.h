@@ -11,6 +11,9 @@ namespace heft::diagnosis {
 struct SmoothingCandidate;
 struct Hypothesis;
 
+/// Share of the time that touches may take: a tool that is touched for longer is held.
+constexpr double kTouched = 0.25;
+
 /// The `holes` with the touches that a search has found so far, if it found the last of them just now and that stands
 /// out among all that it explains, or all go on from the holes; empty otherwise, or where they would take too much of
 /// the time.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/change_detection/segments.h"
 #include "core/diagnosis/model/fit.h"
@@ -102,10 +103,9 @@ void lookForContact(SmoothingCandidate& candidate, const Recording& cleaned, con
 }
 
 std::vector<Stretch> holesOf(const SmoothingCandidate& candidate) {
-  constexpr double kMostOfTheTime = 0.7;  ///< Share of the time
   const std::vector<Stretch>& holes = candidate.holes.value();
-  return blocksIn(holes) > kMostOfTheTime * blocksIn(stretchesOf(candidate.signals.usable)) ? std::vector<Stretch>{}
-                                                                                            : holes;
+  return blocksIn(holes) > kLargeShare * blocksIn(stretchesOf(candidate.signals.usable)) ? std::vector<Stretch>{}
+                                                                                         : holes;
 }
 
 std::vector<Stretch> untouched(Signals judged, const SmoothingCandidate& candidate) {

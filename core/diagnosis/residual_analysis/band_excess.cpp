@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/diagnosis/calibration.h"
 #include "core/math/periodogram.h"
 #include "core/math/statistics.h"
 
@@ -79,7 +80,7 @@ BandExcess slowExcess(const Signals& signals, const std::vector<Stretch>& stretc
 }
 
 BandExcess shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
-  constexpr double kLimit = 8.0;  // Of 134 recordings without any, the highest was 2.5
+  // Of 134 recordings without any, the highest was 2.5.
   constexpr Eigen::Index kBins = 24, kSlowest = 5, kFastest = 22, kBeside = 2;  // A hertz each, the first about 1 Hz
   if (signals.blockRate() < 2.0 * (kBins + 0.5)) return {};
   const auto densityOf = [&](const Wrenches& course) {
@@ -108,14 +109,14 @@ BandExcess shakingIn(const Signals& signals, const std::vector<Stretch>& stretch
     for (Eigen::Index b = from; b < to; ++b) all.push_back(density(channel, b));
     return median(all);
   };
-  // Just above what smoothing keeps, the sensor still has a part of what it took from the motion: up to 15 times what
-  // is beside it in three clean recordings, 290 times in one whose angles were noisy.
-  // Below, accelerations have the more of the angles' noise the faster it is: 11 times what is beside it in another.
-  constexpr double kBelow = 0.7, kCorner = 1.8, kLimitAtCorner = 400.0;
+  // Around the corner of the smoothing nothing is said: just above it the sensor still has a part of what was taken
+  // from the motion, up to 290 times what is beside it. Below, accelerations have the more of the angles' noise the
+  // faster it is: 11 times what is beside it in another.
+  constexpr double kOctave = 2.0;
   const auto atCorner = [&](Eigen::Index bin) {
     const double low = static_cast<double>(bin) + 0.5, high = low + 1.0;
-    return signals.keptHz > 0.0 && !signals.denoised && high > kBelow * signals.keptHz &&
-           low < kCorner * signals.keptHz;
+    return signals.keptHz > 0.0 && !signals.denoised && high > signals.keptHz / kOctave &&
+           low < kOctave * signals.keptHz;
   };
   // A motion that was denoised has the noise of a tremor's own frequencies: what was taken above tells how much, since
   // that of accelerations rises with the fourth power of the frequency.
@@ -132,11 +133,11 @@ BandExcess shakingIn(const Signals& signals, const std::vector<Stretch>& stretch
     for (Eigen::Index b = kSlowest - 1; b < kFastest; ++b) {
       const double floor =
           std::max({passed(c, b), usual(c, 0, b - kBeside + 1), usual(c, std::min(b + kBeside, kBins - 1), kBins)});
-      const double excess = density(c, b) / std::max(1e-300, floor) / (atCorner(b) ? kLimitAtCorner : kLimit);
+      const double excess = atCorner(b) ? 0.0 : density(c, b) / std::max(1e-300, floor) / kLoud;
       if (excess <= out.excess) continue;
       Eigen::Index first = b, last = b;
-      while (first > 0 && density(c, first - 1) > kLimit * floor) --first;
-      while (last + 1 < kBins && density(c, last + 1) > kLimit * floor) ++last;
+      while (first > 0 && density(c, first - 1) > kLoud * floor) --first;
+      while (last + 1 < kBins && density(c, last + 1) > kLoud * floor) ++last;
       out = {excess, density.row(c).segment(first, last - first + 1).sum() / density.row(c).sum(),
              static_cast<double>(first) + 0.5, static_cast<double>(last) + 1.5};
     }
@@ -144,9 +145,8 @@ BandExcess shakingIn(const Signals& signals, const std::vector<Stretch>& stretch
 }
 
 bool isUneven(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
-  constexpr double kMuch = 80.0;        // Of the fast noise's density; 57 where channels have unlike noise
-  constexpr double kTimes = 40.0;       // One channel over another of its kind; 28 between channels of unlike noise
-  constexpr double kTimesForce = 15.0;  // The torques over the forces
+  constexpr double kMuch = 80.0;   // Of the fast noise's density; 57 where channels have unlike noise
+  constexpr double kTimes = 40.0;  // One channel over another of its kind; 28 between channels of unlike noise
   constexpr std::array<Band, 2> kBands{{{0.1, 0.8}, {8.0, 20.0}}};
   const auto power = powerIn(kBands, signals, stretches, residual);
   if (power.lines[0] < 1.0 || power.lines[1] < 1.0) return false;
@@ -156,7 +156,7 @@ bool isUneven(const Signals& signals, const std::vector<Stretch>& stretches, con
     return much > std::max(kMuch, times * std::max(1.0, little));
   };
   const auto within = [&](const Vector3d& kind) { return stands(kind.maxCoeff(), kind.minCoeff(), kTimes); };
-  return within(force) || within(torque) || stands(torque.maxCoeff(), force.maxCoeff(), kTimesForce);
+  return within(force) || within(torque) || stands(torque.maxCoeff(), force.maxCoeff(), kTimes);
 }
 
 }  // namespace heft::diagnosis

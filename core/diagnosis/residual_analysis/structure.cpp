@@ -37,17 +37,6 @@ MatrixXd normalised(MatrixXd features) {
   return features;
 }
 
-/// Share of what is left that is no structure whatever its gain: of 20 unknown effects the least was 0.014; what
-/// corners of a motion left of one clean recording, 0.008.
-constexpr double kHardlyAny = 0.01;
-/// Beyond the usual, for waves of many angles. Of 90 recordings without any, chance gave one 20, the next 13, and no
-/// other kind of structure more than 7; four with some had 290 and more, the weakest of the tests about 40.
-constexpr double kManyWaves = 10.0;
-/// Times such doubts where the zero walks: one clean recording that did had 19 beyond the usual.
-constexpr double kMoreBesideWalk = 1.5;
-/// At most, of accelerations where the motion is noisy: one clean recording had 34.
-constexpr double kManyNoisyWaves = 20.0;
-
 /// All rows and the products of each pair of them.
 MatrixXd withProducts(const MatrixXd& rows) {
   const Eigen::Index n = rows.rows();
@@ -138,7 +127,7 @@ std::vector<Group> groups(const Signals& signals, const Fit& fit) {
     MatrixXd fast(4 * signals.q().rows(), n);
     fast << (2.0 * signals.q()).array().sin().matrix(), (2.0 * signals.q()).array().cos().matrix(),
         (4.0 * signals.q()).array().sin().matrix(), (4.0 * signals.q()).array().cos().matrix();
-    out.push_back({heft::toSay("the joint angles, several times a turn"), fast, {}, kManyWaves});
+    out.push_back({heft::toSay("the joint angles, several times a turn"), fast, {}, kNamed});
     out.push_back({heft::toSay("the direction in which joints turn"),
                    stacked((signals.dq().array() / (signals.dq().array().square() + 1e-3).sqrt()).matrix(),
                            stacked(aheadOfPlay(signals.q(), 0.04), aheadOfPlay(signals.q(), 0.12)))});
@@ -147,7 +136,7 @@ std::vector<Group> groups(const Signals& signals, const Fit& fit) {
       out.push_back({heft::toSay("the joint angles, several times a turn"),
                      {},
                      ripplesOfGears(signals, fit.model.x.tail<10>()),
-                     std::clamp(leftByNoise(signals), kManyWaves, kManyNoisyWaves)});
+                     kNamed});
   }
   out.push_back({heft::toSay("the load on the sensor"), withProducts(normalised(kin.specificForce))});
   MatrixXd cubes = normalised(kin.specificForce);
@@ -302,7 +291,7 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
   const MatrixXd jacobian = CachedJacobian(signals, fit.model).jacobian();
   const bool wanders = hasRandomWalk(fit.model);
   // Beside a zero that wanders, what its waves leave over is no structure yet.
-  const double ofWalk = wanders ? kUnusual + kFormError * gainOfWalk(fit, jacobian, stretches) : 0.0;
+  const double ofWalk = wanders ? kNamed + kFormError * gainOfWalk(fit, jacobian, stretches) : 0.0;
   // A strong structure hides behind the long memory of a noise that was learned from it: hence without memory too.
   const std::array<WhitenedResidual, 2> grounds{
       WhitenedResidual(stretches, fit, jacobian, fit.noise, false),
@@ -312,7 +301,7 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
     const MatrixXd columns = columnsOf(all[i], signals);
     for (std::size_t g = 0; g < 2; ++g) {
       judged[i][g] = judge(Dictionary(grounds[g], columns), grounds[g], lnN);
-      judged[i][g].gain -= (wanders ? kMoreBesideWalk : 1.0) * all[i].doubt;
+      judged[i][g].gain -= (wanders ? 2.0 : 1.0) * all[i].doubt;
     }
   });
   Structure best;
@@ -332,7 +321,7 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
       found.gain = std::min(0.0, least - 1.0);
       continue;
     }
-    const bool asks = found.gain >= least + ofWalk && found.gain <= (wanders ? 2.0 * kPlainEvidence : kPlainEvidence);
+    const bool asks = found.gain >= least + ofWalk && found.gain <= (wanders ? 2.0 * kFaint : kFaint);
     if (asks && !chance[on]) chance[on].emplace(grounds[on], lnN);
     if (!asks || found.gain > chance[on]->gainOf(Dictionary(grounds[on], columnsOf(all[at], signals)))) {
       best = {all[at].goesWith, found.gain, found.explained, 0.0, 0.0};
@@ -348,7 +337,7 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
   std::array<BestWave, 2 * kKinds.size()> waves;
   parallelFor(waves.size(),
               [&](std::size_t i) { waves[i] = bestWave(signals, kKinds[i / 2], grounds[i % 2], lnN, fastest); });
-  const double colour = (wanders ? kMoreBesideWalk : 1.0) * kUnusual;
+  const double colour = (wanders ? 2.0 : 1.0) * kNamed;
   for (std::size_t i = 0; i < waves.size(); ++i) {
     const auto& [wave, frequency] = waves[i];
     if (wave.gain - colour <= best.gain) continue;
@@ -360,9 +349,8 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
   }
   best.gain -= ofWalk;
   const auto unlessPlain = [&](const BandExcess& found, const char* words) {
-    if (found.excess > 1.0 && best.gain < kPlainEvidence)
-      best = {
-          {words, found.lowHz, found.highHz}, kPlainEvidence * found.excess, found.share, found.lowHz, found.highHz};
+    if (found.excess > 1.0 && best.gain < kFaint)
+      best = {{words, found.lowHz, found.highHz}, kFaint * found.excess, found.share, found.lowHz, found.highHz};
   };
   // What shakes most below the corner is noise of the motion, if that is noisy.
   if (signals.noisyMotion) return best;

@@ -13,10 +13,6 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kAtCentre = 0.008;  ///< [m] A pull that acts nearer to the centre of mass acts there
-constexpr double kAlong = 0.08;      ///< Share of a force along an axis below which it is across it
-constexpr double kWholeTool = 0.4;   ///< Share of the payload that is hardly a part of the tool any more
-
 /// First parameter of the terms of `cause`, together.
 double firstOf(const Fit& fit, std::string_view cause) {
   double out = 0.0;
@@ -52,20 +48,18 @@ std::optional<Vector3d> pullAtCentre(const Fit& fit, std::string_view cause, dou
 /// Whether a pull acts up or down where the tool's weight does: then gravity may be another than stated, or be taken
 /// out of the readings already, which no motion can tell from it. One that acts across gravity, too, is both.
 bool pullsAsWeightDoes(const Fit& fit, const Vector3d& gravity) {
-  constexpr double kNear = 0.015;  // [m]
-  const auto near = pullAtCentre(fit, ids::constantPull, kNear),
-             nearer = pullAtCentre(fit, ids::constantPull, kAtCentre);
+  const auto near = pullAtCentre(fit, ids::constantPull, 2.0 * kSamePlace);
   return (near && near->cross(gravity).norm() < kFormError * near->norm() * gravity.norm()) ||
-         (nearer && std::abs(nearer->dot(gravity)) > kAlong * nearer->norm() * gravity.norm());
+         (near && std::abs(near->dot(gravity)) > kSmallShare * near->norm() * gravity.norm());
 }
 
 /// Whether it acts across gravity there: then the base may be tilted, which no motion can tell from it either, or give
 /// under the arm as it reaches out, as no cable does that is tied to the tool anywhere else.
 bool pullsAsTiltDoes(const Fit& fit, std::string_view cause, const Vector3d& gravity) {
-  const auto force = pullAtCentre(fit, cause, kAtCentre);
+  const auto force = pullAtCentre(fit, cause, 2.0 * kSamePlace);
   if (!force) return false;
   const double size = force->norm() * gravity.norm();
-  return std::abs(force->dot(gravity)) < kAlong * size ||
+  return std::abs(force->dot(gravity)) < kSmallShare * size ||
          (cause == ids::constantPull && force->cross(gravity).norm() > kFormError * size);
 }
 
@@ -97,7 +91,7 @@ bool comesBack(const std::vector<VectorXd>& events) {
     for (std::size_t j = i + 1; j < events.size(); ++j) {
       all += events[j];
       largest = std::max(largest, events[j].norm());
-      if (all.norm() < kFifth * largest) return true;
+      if (all.norm() < kMinorShare * largest) return true;
     }
   }
   return false;
@@ -107,7 +101,8 @@ bool comesBack(const std::vector<VectorXd>& events) {
 bool slidesBack(const Fit& fit) {
   auto events = eventsOf(fit, ids::payloadChange);
   const bool moves = std::ranges::all_of(fit.model.terms, [&](const Term& term) {
-    return causeOf(term) != ids::payloadChange || std::abs(term.v(1)) * kGrip < kFifth * term.v.segment<3>(2).norm();
+    return causeOf(term) != ids::payloadChange ||
+           std::abs(term.v(1)) * kGrip < kMinorShare * term.v.segment<3>(2).norm();
   });
   for (VectorXd& event : events) event(0) = 0.0;  // Its mass: noise beside how far it moves
   return moves && comesBack(events);
@@ -130,7 +125,7 @@ std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool
   // No reading comes before what it is about: then the motion is late.
   if (found.cause == ids::timeOffset && firstOf(fit, found.cause) < 0.0) add(ids::motionLag);
   // What weighs as much as the tool is the tool on its mount.
-  if (found.cause == ids::looseMass && swingingShare(fit, found) > kWholeTool) add(ids::flexibleMount);
+  if (found.cause == ids::looseMass && swingingShare(fit, found) > kMajority) add(ids::flexibleMount);
   if (found.cause == ids::constantPull && pullsAsWeightDoes(fit, gravity)) add(ids::derivativeNoise);
   if ((found.cause == ids::constantPull || found.cause == ids::cablePull) && pullsAsTiltDoes(fit, found.cause, gravity))
     add(ids::gravityTilt);

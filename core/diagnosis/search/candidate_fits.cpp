@@ -24,7 +24,6 @@ namespace {
 
 constexpr std::size_t kTried = 8;       ///< Causes that get a fit in a step
 constexpr std::size_t kTriedLater = 5;  ///< The same once there are several terms, which make each fit dear
-constexpr double kLeastOnMount = 0.02;  ///< Share of the payload below which nobody would speak of its mount
 
 /// Whether the first look found only roughly where the candidate gains most.
 bool wantsPlace(const Candidate& candidate) { return candidate.form.atOnce && candidate.score > 0.0; }
@@ -183,10 +182,9 @@ std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std
       chosen.push_back(&candidate);
       continue;
     }
-    // In 134 recordings, one in 200 that promised less than kLeast gained enough, and next to nothing.
-    constexpr double kLeast = -12.0;
+    // In 134 recordings, one in 200 that promised less gained enough, and next to nothing.
     if (candidate.score <
-        std::max(whole ? 0.0 : kLeast, (whole ? 0.0 : -30.0) + kQuarter * std::max(0.0, toBeat - 2.0 * kTie)))
+        std::max(whole ? 0.0 : -kTie, (whole ? 0.0 : -30.0) + kMinorShare * std::max(0.0, toBeat - 2.0 * kTie)))
       continue;
     auto& known = forms[whole ? 0 : 1];
     const auto id = candidate.form.cause->id();
@@ -222,11 +220,10 @@ std::vector<CandidateFit> fitsOf(const Signals& signals, const std::vector<Stret
   // The best are fitted to the end: a few steps rank them, but what is compared must have come to rest. So are those
   // that promised to be the best and are not there yet: a large misfit takes more steps, since the noise is learned
   // alongside. Of 609 that promised and gained less than half the threshold so far, 8 came near it.
-  constexpr double kLeast = 0.5 * kThreshold;
   std::vector<CandidateFit*> resting;
   for (std::size_t i = 0; i < all.size() && resting.size() < 2 * kFinished; ++i) {
     const bool hopeful = all[i].promised > std::max(all[i].gain, all.front().gain - 2.0 * kTie) + kTie,
-               mayCount = all[i].gain > -1e299 && std::max(all[i].promised, all[i].gain) > kLeast;
+               mayCount = all[i].gain > -1e299 && std::max(all[i].promised, all[i].gain) > kThreshold;
     if (mayCount && (i < kFinished || hopeful)) resting.push_back(&all[i]);
   }
   parallelFor(resting.size(), [&](std::size_t i) {
@@ -249,7 +246,7 @@ std::vector<CandidateFit> candidateFits(const Signals& signals, const std::vecto
   const std::size_t tries = base.model.terms.size() < 2 ? kTried : kTriedLater;
   auto chosen = chosenOf(ranked, tries, promised);
   auto all = fitsOf(signals, stretches, base, chosen);
-  if (!all.empty() && all.front().gain >= kQuarter * promised) return all;
+  if (!all.empty() && all.front().gain >= kMinorShare * promised) return all;
   auto others = chosenOf(ranked, tries, 0.0);
   std::erase_if(others, [&](const Candidate* c) { return std::find(chosen.begin(), chosen.end(), c) != chosen.end(); });
   auto more = fitsOf(signals, stretches, base, others);
@@ -280,7 +277,7 @@ void addCompletions(const Signals& signals, const std::vector<Stretch>& stretche
 std::vector<Sibling> siblingsOf(const CandidateFit& accepted, const std::vector<CandidateFit>& all) {
   constexpr std::size_t kMostSiblings = 3;
   const Form& form = *accepted.fit.model.terms.back().form;
-  const double least = accepted.gain - std::max(2.0 * kTie, kTwinError * accepted.gain);
+  const double least = accepted.gain - std::max(2.0 * kTie, kFormError * accepted.gain);
   std::vector<Sibling> out;
   for (const CandidateFit& trial : all) {
     const Term& term = trial.fit.model.terms.back();
@@ -387,7 +384,7 @@ bool believable(const Fit& fit) {
     if (!term->form->cause->possible(*term->form, term->v, std.segment(at, term->v.size()))) return false;
     const bool mount = causeOf(*term) == ids::flexibleMount && term->v.size() > 2,
                swings = mount || causeOf(*term) == ids::looseMass;
-    if (mount && term->v(0) < kLeastOnMount * mass) return false;
+    if (mount && term->v(0) < kHardlyAny * mass) return false;
     if (swings && term->v(0) > 1.1 * mass + 3.0 * (sd + std(at))) return false;
   }
   const Vector3d com = Vector3d(fit.model.x.segment<3>(7)) / std::max(mass, 0.02);

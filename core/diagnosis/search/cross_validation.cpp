@@ -1,4 +1,5 @@
 #include "core/diagnosis/search/cross_validation.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/model/linearisation.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace heft::diagnosis {
 namespace {
 
 constexpr int kParts = 10;
-constexpr Eigen::Index kGap = 25;  ///< Blocks: half a second
 
 /// The usable blocks cut into kParts of equal size, each as stretches.
 std::vector<std::vector<Stretch>> parts(const std::vector<Stretch>& stretches) {
@@ -58,7 +58,7 @@ Wrenches heldOutResidual(const Signals& signals, const std::vector<Stretch>& str
   const CachedJacobian columns(signals, fit.model);
   const auto all = parts(stretches);
   parallelFor(all.size(), [&](std::size_t i) {
-    const auto training = outside(stretches, all[i], kGap);
+    const auto training = outside(stretches, all[i], kMomentBlocks);
     if (training.empty()) return;
     const Model model = refitted(signals, training, fit, columns);
     const Wrenches residual = signals.measured - valueOf(signals, model);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 
 namespace heft::diagnosis {
@@ -11,10 +12,9 @@ bool lags(std::string_view id) { return infoOf(id).family == Family::timing; }
 bool enlarges(std::string_view id) { return infoOf(id).family == Family::dynamicGain; }
 
 bool isMoreThanWalk(std::string_view cause, double gain, double walk) {
-  constexpr double kShareOfWalk = 0.75;
   const Family family = infoOf(cause).family;
   const bool likeAWalk = family == Family::sensorZero || family == Family::load || family == Family::contact;
-  return !likeAWalk && gain > std::max(kFaint, kShareOfWalk * walk);
+  return !likeAWalk && gain > std::max(kFaint, kLargeShare * walk);
 }
 
 }  // namespace heft::diagnosis

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/search/search.h"
 
@@ -24,16 +25,14 @@ std::vector<std::pair<double, double>> jumpsOf(const Model& model, Eigen::Index 
 }  // namespace
 
 bool jumpWithTheirReading(const Signals& signals, const Model& model) {
-  constexpr double kNear = 0.05;    // Of what the channel reads, from the least to the most
-  constexpr double kAround = 0.06;  // [s]
   if (std::ranges::count_if(model.terms, [](const Term& t) { return causeOf(t) == ids::sensorBias; }) < 2) return false;
   const Wrenches reads = valueOf(signals, without(model, ids::sensorBias));
   const Eigen::Index blocks = signals.blocks(),
-                     around = std::max<Eigen::Index>(1, std::lround(kAround * signals.blockRate()));
+                     around = std::max<Eigen::Index>(1, std::lround(kMoment * signals.blockRate()));
   for (Eigen::Index c = 0; c < 6; ++c) {
     const auto jumps = jumpsOf(model, c);
     if (jumps.size() < 2) continue;
-    const double near = kNear * (reads.row(c).maxCoeff() - reads.row(c).minCoeff());
+    const double near = kTinyShare * (reads.row(c).maxCoeff() - reads.row(c).minCoeff());
     double least = 1e300, most = -1e300;
     std::ptrdiff_t upward = 0;
     for (const auto& [time, size] : jumps) {

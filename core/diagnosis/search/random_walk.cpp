@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/base/parallel.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/math/linear_algebra.h"
 #include "core/math/statistics.h"

@@ -16,18 +16,15 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kChance = 3.0;  ///< Twice the log-likelihood that an idle parameter hardly ever gains
-
 /// The trial with up to `terms` terms, those after the first of any of the `causes`, as long as each of them adds to it
 /// and together they may still reach `goal`.
 CandidateFit grown(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
                    CandidateFit trial, std::span<const std::string_view> causes, std::size_t terms, double goal) {
-  /// Times what a first look promises, and a tie more: no fit in a hundred has gained that
-  constexpr double kMore = 1.5;
+  // Times what a first look promises, and a tie more: no fit in a hundred has gained that.
   for (std::size_t i = 1; i < terms; ++i) {
     const auto ranked = promises(signals, stretches, bank, trial.fit, causes);
     if (ranked.empty()) break;
-    const double most = kMore * std::max(0.0, ranked.front().score) + kTie;
+    const double most = 2.0 * std::max(0.0, ranked.front().score) + kTie;
     if (trial.gain + static_cast<double>(terms - i) * most < goal) break;
     auto more = fitsOf(signals, stretches, trial.fit, chosenOf(ranked, kRivals, ranked.front().score));
     if (more.empty() || more.front().gain < kThreshold) break;
@@ -50,7 +47,7 @@ void outgrowWalk(const Signals& signals, const std::vector<Stretch>& stretches, 
     if (cause->id() != kRandomWalk) others.push_back(cause->id());
   for (CandidateFit& trial : all) {
     const auto id = causeOf(trial.fit.model.terms.back());
-    if (done.size() == kTop || trial.gain < kQuarter * walk) break;
+    if (done.size() == kTop || trial.gain < kMinorShare * walk) break;
     if (id == kRandomWalk || std::ranges::find(done, id) != done.end()) continue;
     done.push_back(id);
     CandidateFit more = grown(signals, stretches, bank, trial, others, kTerms, walk + kClearEvidence);
@@ -70,7 +67,7 @@ void growRivals(const Signals& signals, const std::vector<Stretch>& stretches, S
   for (CandidateFit& trial : all) {
     const Form& form = *trial.fit.model.terms.back().form;
     const std::array<std::string_view, 1> same{form.cause->id()};
-    if (trial.gain < kClearMajority * best || form.local || form.walk || std::ranges::find(done, same[0]) != done.end())
+    if (trial.gain < kMajority * best || form.local || form.walk || std::ranges::find(done, same[0]) != done.end())
       continue;
     done.push_back(same[0]);
     trial = grown(signals, stretches, bank, std::move(trial), same, terms, 0.0);
@@ -110,7 +107,7 @@ std::map<std::string, const CandidateFit*> bestOfEach(const std::vector<Candidat
   for (const CandidateFit& trial : all) {  // The best first
     if (trial.gain < -1e299 || trial.cause == cause || contains(rest, trial.cause)) continue;
     const CandidateFit*& best = out.try_emplace(trial.cause, &trial).first->second;
-    if (takesAnyCourse(*best) && best->gain < kAnyCourse && !takesAnyCourse(trial) && trial.gain > best->gain - kTie)
+    if (takesAnyCourse(*best) && best->gain < kOverwhelming && !takesAnyCourse(trial) && trial.gain > best->gain - kTie)
       best = &trial;
   }
   return out;
@@ -139,11 +136,10 @@ VectorXd spreadOf(const Model& model, std::string_view cause, const std::vector<
 /// where, as far as the tool turns, the zero may have jumped; or all gains grow like a load: how well either fits is
 /// not known better than to a share of what both explain.
 double slackBetween(std::string_view a, std::string_view b, double gain) {
-  constexpr double kShareOfLoad = 0.01;
   const CauseInfo &one = infoOf(a), &other = infoOf(b);
   if (one.begins && other.begins) return kEventError * gain;
-  if (one.scalesWithLoad && other.scalesWithLoad) return kShareOfLoad * gain;
-  return lags(a) && lags(b) ? kTwinError * gain : enlarges(a) && enlarges(b) ? kTwinError * gain : 0.0;
+  if (one.scalesWithLoad && other.scalesWithLoad) return kHardlyAny * gain;
+  return lags(a) && lags(b) ? kFormError * gain : enlarges(a) && enlarges(b) ? kFormError * gain : 0.0;
 }
 
 /// By how much a rival must be better to take a cause's place. A faint drift may well be a walk: that one is no alarm.
@@ -152,17 +148,16 @@ double slackBetween(std::string_view a, std::string_view b, double gain) {
 /// there was one, 10 ahead or more).
 /// `oneCourse`: whether a walk whose place is in question is one course of all channels.
 double leadFor(const Found& found, const Rival& rival, bool oneCourse) {
-  constexpr double kUsual = 2.0, kFaintDrift = 5.0, kPlainWalk = 12.0;
   const bool walkGoes = found.cause == kRandomWalk, walkComes = rival.cause == kRandomWalk;
-  if (!walkGoes && !walkComes) return kUsual;
+  if (!walkGoes && !walkComes) return kSameLikelihood;
   if (oneCourse && walkGoes && rival.cause == ids::biasDrift) return -kMajority * found.gain;
   if (walkGoes && rival.cause == ids::sensorBias) return kJump;
   if (walkGoes && isMoreThanWalk(rival.cause, found.gain - rival.behind, found.gain)) return -found.gain;
   if (walkComes && isMoreThanWalk(found.cause, found.gain, found.gain - rival.behind)) return found.gain;
-  if (walkGoes && rival.anyCourse) return kUsual;
-  if ((walkGoes ? rival.cause : found.cause) != ids::biasDrift) return walkGoes ? kFaintDrift : kUsual;
+  if (walkGoes && rival.anyCourse) return kSameLikelihood;
+  if ((walkGoes ? rival.cause : found.cause) != ids::biasDrift) return walkGoes ? kJump : kSameLikelihood;
   const double drift = walkGoes ? found.gain - rival.behind : found.gain;
-  const double ahead = drift < kFaint ? kFaintDrift : -kPlainWalk;  // Of the walk, for the drift to be named
+  const double ahead = drift < kFaint ? kJump : -kTie;  // Of the walk, for the drift to be named
   return walkGoes ? ahead : -ahead;
 }
 
@@ -206,7 +201,7 @@ bool tied(const Found& found, const Rival& rival) {
   const double slack = slackBetween(found.cause, rival.cause, found.gain);
   if (rival.behind < kTie + slack || (slack > 0.0 && rival.worse < slack)) return true;
   const bool explains = rival.behind < found.gain;
-  if (explains && rival.worse + kChance * rival.extra < 0.0) return true;
+  if (explains && rival.worse + kSameLikelihood * rival.extra < 0.0) return true;
   if (rival.worse > kSameLikelihood) return false;
   const auto alike = findCause(found.cause)->lookAlikes();
   const bool faint = found.gain < kFaint;

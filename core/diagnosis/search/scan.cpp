@@ -272,18 +272,17 @@ OnsetRefinement::OnsetRefinement(const Signals& signals, const std::vector<Stret
 OnsetRefinement::~OnsetRefinement() = default;
 
 Candidate OnsetRefinement::refined(const Candidate& candidate) const {
-  constexpr double kStep = 0.1;  // [s]
   const auto at = [&](double time) { return signatureAt(time, candidate.form, around_->surroundings); };
   // Where the squares fall most, whatever the noise's memory; then block by block, the noise learned anew.
   double about = candidate.v(0), most = -1e300;
-  for (double off = -kEventGap; off < kEventGap + 0.5 * kStep; off += kStep) {
+  for (double off = -kEvent; off < kEvent + 0.5 * kMoment; off += kMoment) {
     const double squares = around_->plain.firstGuess(at(candidate.v(0) + off), around_->lnN).squares;
     if (squares <= most) continue;
     most = squares;
     about = candidate.v(0) + off;
   }
   Candidate best = candidate;
-  for (double off = -kStep; off < kStep + 0.5 * block_; off += block_) {
+  for (double off = -kMoment; off < kMoment + 0.5 * block_; off += block_) {
     const Signature signature = at(about + off);
     for (const Weighting* weighting : {&around_->coloured, &around_->plain}) {
       Candidate trial = candidate;

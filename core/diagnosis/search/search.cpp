@@ -26,7 +26,7 @@ double neededBeside(const Model& model, double explained, double wanders, const 
   const Term& added = trial.fit.model.terms.back();
   const bool beside =
       std::ranges::any_of(model.terms, [&](const Term& t) { return causeOf(t) != cause && !t.form->walk; });
-  if (added.form->atOnce && causeOf(added) == cause && beside) out += kUnusual + kFormError * explained;
+  if (added.form->atOnce && causeOf(added) == cause && beside) out += kNamed + kFormError * explained;
   return out;
 }
 
@@ -61,7 +61,7 @@ Fit withOthersLikeIt(const Signals& signals, const std::vector<Stretch>& stretch
     const auto there = when(other);
     const bool apart = !there.empty() && std::ranges::all_of(there, [&](const auto& a) {
       return std::ranges::all_of(
-          taken, [&](const auto& b) { return a.first > b.second + kEventGap || a.second < b.first - kEventGap; });
+          taken, [&](const auto& b) { return a.first > b.second + kEvent || a.second < b.first - kEvent; });
     });
     if (!apart) continue;
     model.terms.push_back(other);
@@ -85,7 +85,7 @@ const CandidateFit* acceptedOf(const Signals& signals, const std::vector<Stretch
       break;
     }
   // A drift of any course that is too faint for a name leaves its place to what explains about as much and has one.
-  if (takesAnyCourse(*chosen) && chosen->gain < kAnyCourse)
+  if (takesAnyCourse(*chosen) && chosen->gain < kOverwhelming)
     for (const auto& trial : all)
       if (enough(trial) && trial.gain > chosen->gain - kTie && trial.cause != kRandomWalk && !takesAnyCourse(trial)) {
         chosen = &trial;

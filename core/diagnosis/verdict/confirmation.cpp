@@ -36,7 +36,7 @@ void keepOneOfTwo(Hypothesis& hypothesis) {
       const Fit neither = fitModel(hypothesis.signals, hypothesis.stretches, without(alone.model, other.cause)),
                 instead = fitModel(hypothesis.signals, hypothesis.stretches, without(search.final.model, other.cause));
       const double gain = alone.evidence - neither.evidence;
-      if (gain < kManyTimes * other.gain) continue;
+      if (gain < kStandsOut * other.gain) continue;
       other.gain = gain;
       const Rival rival{search.found[own].cause,   alone.evidence - instead.evidence, 0.0, 0, false,
                         instead.model.x.tail<10>()};
@@ -85,13 +85,12 @@ struct Needed {
 
 /// Whether a cause holds that gains `gain` on unseen stretches. `strongest`: evidence of the strongest one.
 bool holds(const Found& found, const Gain& gain, const Hypothesis& hypothesis, double strongest, const Needed& needed) {
-  constexpr double kOfFaint = 0.012;  ///< Share for one that little speaks for
   const Fit& final = hypothesis.search.final;
   const auto anyTerm = [&](const auto& is) {
     return std::ranges::any_of(final.model.terms, [&](const Term& t) { return causeOf(t) == found.cause && is(t); });
   };
   if (isNothing(final, found)) return false;
-  if (found.gain < (found.cause == ids::biasDrift && takesAnyCourse(final.model) ? kAnyCourse
+  if (found.gain < (found.cause == ids::biasDrift && takesAnyCourse(final.model) ? kOverwhelming
                     : needed.moreOfFaint                                         ? kNamed
                                                                                  : 0.0))
     return false;
@@ -114,7 +113,7 @@ bool holds(const Found& found, const Gain& gain, const Hypothesis& hypothesis, d
   if (anyTerm([&](const Term& t) { return t.form->local && (helps || lasts(t, hypothesis.signals) < kBriefly); }))
     return true;
   const double least = leftover                    ? kFormError
-                       : found.gain < 2.0 * kFaint ? std::max(needed.always, kOfFaint)
+                       : found.gain < 2.0 * kFaint ? std::max(needed.always, kHardlyAny)
                                                    : needed.always;
   // Better on six blocks of ten is chance: beside something unknown that is not enough.
   if (needed.always > 0.0) return gain.explainedFraction > least && gain.lower > 0.0;
@@ -149,7 +148,7 @@ class Steps {
  public:
   /// `steps`: as of CoarseReadings. A channel that never leaves one has those of the others of its kind.
   Steps(const Hypothesis& hypothesis, const Vector6d& steps) : size_(steps) {
-    constexpr double kLeastOfSteps = 0.6, kMostOfSteps = 1.5;  // Times what steps leave
+    constexpr double kAlike = 2.0;  // What is left, and what steps leave, at most times the other
     for (const Eigen::Index kind : {0, 3}) {
       auto of = size_.segment<3>(kind);
       of = (of.array() > 0.0).select(of, of.maxCoeff()).eval();
@@ -157,7 +156,7 @@ class Steps {
     if (!(size_.minCoeff() > 0.0)) return;
     const Vector6d left = usualPower(hypothesis.signals, hypothesis.search.final, {}).cwiseSqrt();
     const Vector6d times = std::sqrt(12.0) * left.cwiseQuotient(size_);
-    coarse_ = times.maxCoeff() < kMostOfSteps && times.maxCoeff() > kLeastOfSteps;
+    coarse_ = times.maxCoeff() < kAlike && times.maxCoeff() > 1.0 / kAlike;
   }
 
   /// Whether steps alone may have made what a cause explains: a reading is half a step off at most, and `without` the

@@ -12,15 +12,13 @@ FaintTouches faintTouches(const Hypothesis& hypothesis, const std::vector<Diagno
                           const Structure& remaining) {
   // Of 30 recordings in which something was touched, the faintest touch had 479, at a third of the visible size; of 47
   // in which nothing was, 32 had less than this.
-  constexpr double kTouch = 350.0;
-  constexpr double kNoise = 75.0;  ///< With nothing else, chance: of 190 clean recordings one had 60
   const double evidence = evidenceOf(hypothesis.contacts), lasts = durationOf(hypothesis.contacts);
   double others = 0.0;
-  if (evidence >= kTouch) return {};
+  if (evidence >= kOverwhelming) return {};
   const bool alone = fitted.empty() && hypothesis.contacts.size() == 1 && remaining.gain <= kUnexplained;
   if (alone && evidence >= 3.0 * kFaint) return {};
   for (const DiagnosedCause& cause : fitted) others += cause.deltaBic;
-  const bool counts = evidence > (fitted.empty() ? kNoise : kMinorShare * others);
+  const bool counts = evidence > (fitted.empty() ? 2.0 * kFaint : kMinorShare * others);
   FaintTouches out;
   out.areFaint = true;
   out.finding = {counts ? Severity::warning : Severity::info,

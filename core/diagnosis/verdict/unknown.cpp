@@ -64,11 +64,10 @@ Finding info(const char* code, std::string text, std::string remedy) {
 
 /// A walk has waves for anything that is slow, and the model for little else: what changes at once is neither.
 Claim suddenChanges(const Asked& asked, const WhatRemains&) {
-  constexpr std::size_t kFewestLeaps = 6;
   constexpr std::ptrdiff_t kFewestFar = 2;
   /// StepCandidate::size, and where nothing else was found: of 504 clean recordings one had three above 30, seven had
   /// one, one had one above 40. What else is named may leave some.
-  constexpr double kFar = 80.0, kFarAlone = 40.0;
+  constexpr double kFarAlone = 40.0, kFar = 2.0 * kFarAlone;
   constexpr double kSlower = 0.4;  ///< [s] Smaller steps need longer means
   const Hypothesis& h = asked.hypothesis;
   auto steps = stepCandidatesIn(h.signals, h.stretches, asked.residual);
@@ -76,7 +75,7 @@ Claim suddenChanges(const Asked& asked, const WhatRemains&) {
     return std::ranges::count_if(steps, [&](const StepCandidate& step) { return step.size > size; }) >= kFewestFar;
   };
   const bool alone = without(h.search.final.model, kRandomWalk).terms.empty();
-  bool switches = steps.size() >= kFewestLeaps || far(alone ? kFarAlone : kFar);
+  bool switches = steps.size() >= kPattern || far(alone ? kFarAlone : kFar);
   if (alone && !switches) {
     steps = stepCandidatesIn(h.signals, h.stretches, asked.residual, kSlower);
     switches = far(kFarAlone);
@@ -106,7 +105,7 @@ Claim unevenChannels(const Asked& asked, const WhatRemains&) {
 Claim hiddenByTheWalk(const Asked& asked, const WhatRemains&) {
   if (!asked.walks) return {};
   const Hypothesis& h = asked.hypothesis;
-  const double enough = h.search.final.evidence - asked.steady.evidence + kPlainEvidence;
+  const double enough = h.search.final.evidence - asked.steady.evidence + kFaint;
   const Structure hidden = structureBehindWalk(h.signals, h.stretches, asked.steady, enough);
   return hidden.gain > enough ? Claim{hidden} : Claim{};
 }
@@ -135,7 +134,7 @@ Claim hiddenByADrift(const Asked& asked, const WhatRemains&) {
     return hidden.gain > all ? Claim{hidden} : Claim{};
   }
   const Fit fit = fitModel(h.signals, h.stretches, without(bare, kRandomWalk));
-  const double enough = std::max(kPlainEvidence, final.evidence - fit.evidence - kTie);
+  const double enough = std::max(kFaint, final.evidence - fit.evidence - kTie);
   const Structure hidden = structureIn(h.signals, h.stretches, fit, enough);
   return hidden.gain > enough ? Claim{hidden} : Claim{};
 }
@@ -195,7 +194,7 @@ bool isFolded(const Hum& hum, double blockRate, const Structure& remaining) {
 Claim aHum(const Asked& asked, const WhatRemains& soFar) {
   const auto hum = humIn(asked.cleaned, asked.hypothesis.signals);
   if (!hum) return {};
-  const bool unknown = hum->share > kFifth;
+  const bool unknown = hum->share > kMinorShare;
   Claim out;
   out.findings.push_back({unknown ? Severity::warning : Severity::info,
                           "readings_hum",

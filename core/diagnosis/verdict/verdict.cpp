@@ -78,7 +78,7 @@ bool isContactDoubtful(const std::vector<DiagnosedCause>& causes) {
     if (cause.id == ids::contact) touch += cause.deltaBic;
     if (!cause.direct) others += cause.deltaBic;
   }
-  return touch > 0.0 && touch < std::min(kFaintTouch, kManyTimes * others);
+  return touch > 0.0 && touch < std::min(kFaintTouch, kStandsOut * others);
 }
 
 /// Evidence of all fitted causes together where it is little; zero where it is not, or where there are none.
@@ -102,10 +102,9 @@ Verdict verdictOf(const std::vector<DiagnosedCause>& causes, const Structure& re
 /// Takes what many others would explain as well from among other causes: that something is left is all that is known of
 /// it. Whether there was any.
 bool dropFaintTies(std::vector<DiagnosedCause>& causes) {
-  constexpr std::size_t kMany = 4;
   if (fittedOf(causes) < 2) return false;
   return std::erase_if(causes, [](const DiagnosedCause& c) {
-           return !c.direct && c.deltaBic < 2.0 * kFaint && c.alternatives.size() >= kMany;
+           return !c.direct && c.deltaBic < 2.0 * kFaint && std::ssize(c.alternatives) >= kOverfitted;
          }) > 0;
 }
 
@@ -121,7 +120,7 @@ std::optional<Structure> dropSlight(const Hypothesis& hypothesis, std::vector<Di
     // What has its place in time is hardly seen elsewhere.
     const bool local =
         std::ranges::any_of(model.terms, [&](const Term& t) { return causeOf(t) == c.id && t.form->local; });
-    return !c.direct && !local && c.id != ids::contact && c.gain.explainedFraction < kQuarter &&
+    return !c.direct && !local && c.id != ids::contact && c.gain.explainedFraction < kMinorShare &&
            c.deltaBic < kBroadError * strongest;
   };
   Model rest = model;
@@ -170,8 +169,6 @@ constexpr std::array kImpostors{
 /// `ambiguous`: some were dropped, since many others explain them as well or they may be nothing.
 std::optional<Structure> oneUnknownInstead(const Hypothesis& hypothesis, const std::vector<DiagnosedCause>& causes,
                                            bool ambiguous) {
-  /// Share of what several causes explain together; of right answers 0.72 was the most
-  constexpr double kAsMuch = 0.9;
   // Nor is explained what takes a cause at the edge of what there can be. What our own smoothing leaves may be there.
   const Search& search = hypothesis.search;
   const bool strained = !causes.empty() && !believable(search.final),
@@ -182,7 +179,7 @@ std::optional<Structure> oneUnknownInstead(const Hypothesis& hypothesis, const s
   const Structure plain = structureIn(hypothesis.signals, hypothesis.stretches, search.null);
   const double together = search.final.evidence - search.null.evidence;
   const bool instead = strained || patchwork || ambiguous || areOverfitted(causes) ||
-                       (faint > 0.0 && plain.gain > faint + kTie) || (several && plain.gain > kAsMuch * together);
+                       (faint > 0.0 && plain.gain > faint + kTie) || (several && plain.gain > kNearlyAll * together);
   return instead ? std::optional(plain) : std::nullopt;
 }
 
