@@ -106,16 +106,21 @@ VectorXd scaledSingularValues(const Triangle& R) {
   return singularValues(block * lengths.cwiseInverse().asDiagonal());
 }
 
-double scaledCondition(const Triangle& R) {
-  const VectorXd values = scaledSingularValues(R);
+namespace {
+
+double conditionOf(const VectorXd& values) {
   return values.size() > 0 && values(9) > 0.0 ? values(0) / values(9) : std::numeric_limits<double>::infinity();
 }
+
+}  // namespace
+
+double scaledCondition(const Triangle& R) { return conditionOf(scaledSingularValues(R)); }
 
 Identifiability assess(const Triangle& R, const MapPrior& prior, const MapSolution& solution, const Payload& std,
                        const ToldParts& told) {
   Identifiability out;
-  out.conditionNumber = scaledCondition(R);
   out.singularValues = scaledSingularValues(R);
+  out.conditionNumber = conditionOf(out.singularValues);
   const Matrix10d J = product(componentsJacobian(solution.phi), parametersJacobian(prior, solution.v));
   const Vector10d posterior = congruence(J, solution.covariance).diagonal();
   const Vector10d before = congruence(J, inverse(prior.normalInformation(solution.v))).diagonal();

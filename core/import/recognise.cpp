@@ -62,6 +62,13 @@ bool looksLikeTable(std::string_view header) {
   return foreign && !own;
 }
 
+/// Messages as ROS prints them: fields over several lines, with "---" between messages.
+bool isEchoedYaml(std::string_view text) {
+  const auto line = text.substr(0, text.find('\n'));
+  return line.ends_with(':') && line.find_first_of(",;\t ") == std::string_view::npos &&
+         text.find("\n---\n") != std::string_view::npos;
+}
+
 }  // namespace
 
 std::string_view toString(FileKind kind) {
@@ -88,13 +95,6 @@ std::string_view toString(FileKind kind) {
       return "NumPy";
   }
   return "";
-}
-
-/// Messages as ROS prints them: fields over several lines, with "---" between messages.
-bool isEchoedYaml(std::string_view text) {
-  const auto line = text.substr(0, text.find('\n'));
-  return line.ends_with(':') && line.find_first_of(",;\t ") == std::string_view::npos &&
-         text.find("\n---\n") != std::string_view::npos;
 }
 
 Result<FileKind> recognise(const std::filesystem::path& path) {

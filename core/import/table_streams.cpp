@@ -162,29 +162,6 @@ class Table {
   }
 };
 
-/// "1,234.5" as a number: commas between groups of three digits before a decimal point.
-double groupedNumber(std::string_view cell) {
-  std::string out;
-  std::size_t since = 0, commas = 0;
-  const std::size_t point = cell.find('.');
-  if (point == std::string_view::npos) return kNoNumber;
-  for (const char c : cell.substr(0, point)) {
-    if (c != ',') {
-      since += c >= '0' && c <= '9' ? 1 : 0;
-      out += c;
-    } else if (since == 0 || since > 3 || (commas > 0 && since != 3)) {
-      return kNoNumber;
-    } else {
-      ++commas;
-      since = 0;
-    }
-  }
-  out += cell.substr(point);
-  double value = kNoNumber;
-  const bool whole = csv::parseNumber(out.data(), out.data() + out.size(), value) == out.data() + out.size();
-  return commas > 0 && since == 3 && whole ? value : kNoNumber;
-}
-
 /// Columns of cells as numbers, and which cells of them hold something else.
 class CellReader {
  public:
@@ -199,9 +176,12 @@ class CellReader {
       double value = kNoNumber;
       const char* const end = cell.data() + cell.size();
       const bool plain = !cell.empty() && csv::parseNumber(cell.data(), end, value) == end;
+      if (!plain) value = kNoNumber;  // "2024-01-05" begins with a number.
       if (!plain && !cell.empty()) {
-        value = groupedNumber(cell);
-        if (std::isnan(value) && !isMissingValue(cell)) others.push_back(r);
+        if (const auto grouped = ungroupedNumber(cell, '.', ','))
+          csv::parseNumber(grouped->data(), grouped->data() + grouped->size(), value);
+        else if (!isMissingValue(cell))
+          others.push_back(r);
       }
       if (!std::isfinite(value)) value = kNoNumber;
       read += std::isnan(value) ? 0 : 1;

@@ -53,36 +53,13 @@ Cells cellsOf(std::string_view line, char separator) {
   return out;
 }
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
 bool isPlainNumber(std::string_view cell) {
   double value = 0.0;
   return !cell.empty() && csv::parseNumber(cell.data(), cell.data() + cell.size(), value) == cell.data() + cell.size();
 }
 
-/// "0,346", "1,2e-3" or "-1.234,5" (points between groups of three digits) with a decimal point; nothing of other text.
-std::optional<std::string> pointedNumber(std::string_view cell) {
-  const auto comma = cell.find(',');
-  if (comma == std::string_view::npos || cell.find_first_of(",.", comma + 1) != std::string_view::npos)
-    return std::nullopt;
-  std::string out;
-  std::size_t digits = 0;
-  bool grouped = false;
-  for (const char c : cell.substr(0, comma)) {
-    if (c != '.') {
-      digits += isDigit(c) ? 1 : 0;
-      out += c;
-      continue;
-    }
-    if (digits == 0 || digits > 3 || (grouped && digits != 3)) return std::nullopt;
-    grouped = true;
-    digits = 0;
-  }
-  if (grouped && digits != 3) return std::nullopt;
-  out += '.';
-  out += cell.substr(comma + 1);
-  return isPlainNumber(out) ? std::optional(out) : std::nullopt;
-}
+/// "0,346", "1,2e-3" or "-1.234,5" with a decimal point; nothing of other text.
+std::optional<std::string> pointedNumber(std::string_view cell) { return ungroupedNumber(cell, ',', '.'); }
 
 bool isCommaNumber(std::string_view cell) { return pointedNumber(cell).has_value(); }
 
@@ -341,6 +318,28 @@ void appendRow(std::string& out, std::string_view line, const Layout& layout) {
 }
 
 }  // namespace
+
+std::optional<std::string> ungroupedNumber(std::string_view cell, char point, char group) {
+  const auto at = cell.find(point);
+  if (at == std::string_view::npos || cell.find_first_of(",.", at + 1) != std::string_view::npos) return std::nullopt;
+  std::string out;
+  std::size_t digits = 0;
+  bool grouped = false;
+  for (const char c : cell.substr(0, at)) {
+    if (c != group) {
+      digits += c >= '0' && c <= '9' ? 1 : 0;
+      out += c;
+      continue;
+    }
+    if (digits == 0 || digits > 3 || (grouped && digits != 3)) return std::nullopt;
+    grouped = true;
+    digits = 0;
+  }
+  if (grouped && digits != 3) return std::nullopt;
+  out += '.';
+  out += cell.substr(at + 1);
+  return isPlainNumber(out) ? std::optional(out) : std::nullopt;
+}
 
 bool isMissingValue(std::string_view cell) {
   static constexpr std::array kWords = {"nan", "-nan", "inf", "-inf", "none", "null", "na", "n/a", "-", "--"};
