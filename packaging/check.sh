@@ -5,7 +5,7 @@
 #   HEFT_GUI=OFF sh packaging/check.sh     without Qt and VTK: core and the command line
 #   HEFT_STYLE=ON sh packaging/check.sh    clang-format of all and clang-tidy of what changed, too (packaging/style.sh);
 #                                          format: clang-format alone
-#   HEFT_SANITIZERS=address sh packaging/check.sh   heft under sanitizers, too (packaging/sanitize.sh): one more build;
+#   HEFT_SANITIZERS=address sh packaging/check.sh   heft under sanitizers, too (packaging/sanitize.sh): one more build by Clang;
 #                                          both: two
 set -eu
 cd "$(dirname "$0")/.."

@@ -1,14 +1,14 @@
 #!/bin/sh
 # Builds tests/fuzz with Clang's libFuzzer, address and undefined-behaviour sanitizers and lets every parser read made-up
 # input, one after the other. Inputs that reach something new are kept in build/fuzz/corpus; one that breaks a parser ends
-# the run and is named. Needs the Debian package clang.
+# the run and is named. Needs the Debian packages clang and libclang-rt-dev.
 #   sh packaging/fuzz.sh [SECONDS=60] [PARSER ...]      SECONDS for each parser; all of them unless some are named
 set -eu
 cd "$(dirname "$0")/.."
 seconds=${1:-60}
 [ $# -eq 0 ] || shift
 if ! command -v clang++ >/dev/null; then
-  echo "clang++ is missing: install the package clang." >&2
+  echo "clang++ is missing: install the packages clang and libclang-rt-dev." >&2
   exit 1
 fi
 cmake --preset fuzz >build/fuzz.log 2>&1 || { cat build/fuzz.log >&2; exit 1; }

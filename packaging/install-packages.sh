@@ -2,7 +2,7 @@
 # Installs what building and testing Heft needs on Debian 12, and nothing if it is all there. Run by start.sh and check.sh.
 # libmujoco-dev and libsdformat-dev, 13 MB, read exported files back in the tests, which do without them, too.
 # HEFT_GUI=OFF leaves out Qt, VTK and QCustomPlot; HEFT_PYTHON=ON adds what the Python module and its tests need,
-# HEFT_STYLE=ON what style.sh does. (locales: a decimal comma for the tests;
+# HEFT_STYLE=ON what style.sh does, HEFT_SANITIZERS=both what sanitize.sh and fuzz.sh do. (locales: a decimal comma for the tests;
 # groff-base and the last four: validate.sh; dpkg-dev and file: cpack.)
 set -eu
 
@@ -16,10 +16,12 @@ python="python3-dev pybind11-dev python3-numpy python3-matplotlib python3-pytest
 
 style="git clang-format"
 tidy="clang clang-tidy"
+sanitizers="clang libclang-rt-dev"
 
 packages=$core
 [ "${HEFT_STYLE:-OFF}" = OFF ] || packages="$packages $style"
 [ "${HEFT_STYLE:-OFF}" != ON ] || packages="$packages $tidy"
+[ -z "${HEFT_SANITIZERS:-}" ] || packages="$packages $sanitizers"
 [ "${HEFT_PYTHON:-OFF}" = OFF ] || packages="$packages $python"
 [ "${HEFT_GUI:-ON}" = OFF ] || packages="$packages $gui"
 

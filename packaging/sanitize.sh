@@ -1,9 +1,15 @@
 #!/bin/sh
 # `heft estimate` and `heft diagnose` under sanitizers, on ten recordings of different kinds. Any report ends it. Two builds of the
-# command line: address and undefined behaviour together, which reads the corpora of all parsers, too; threads alone.
+# command line by Clang (the Debian packages clang and libclang-rt-dev), which instruments in half of GCC's time: address and undefined behaviour
+# together, which reads the corpora of all parsers, too, and is the tree of packaging/fuzz.sh; threads alone.
 #   sh packaging/sanitize.sh [address|thread]     both unless one is named
 set -eu
 cd "$(dirname "$0")/.."
+if ! command -v clang++ >/dev/null; then
+  echo "clang++ is missing: install the packages clang and libclang-rt-dev." >&2
+  exit 1
+fi
+mkdir -p build
 jobs=${JOBS:-$(nproc)}
 
 recordings() {  # heft, folder: the ten, made once
@@ -25,13 +31,11 @@ recordings() {  # heft, folder: the ten, made once
   cp tests/data/recordings/plain.mcap "$at/plain.mcap"
 }
 
-run() {  # name, sanitizers, targets
-  build=build/sanitize-$1
-  echo "== heft with -fsanitize=$2, $build"
-  cmake -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" \
-    -DHEFT_SANITIZE="$2" -DHEFT_WITH_GUI=OFF -DHEFT_WITH_PYTHON=OFF >"build/sanitize-$1.log"
-  # shellcheck disable=SC2086
-  cmake --build "$build" -j "$jobs" --target $3 >>"build/sanitize-$1.log" || { tail -n 40 "build/sanitize-$1.log" >&2; exit 1; }
+run() {  # preset
+  build=build/$1
+  echo "== heft under sanitizers: preset $1, $build"
+  cmake --preset "$1" >"$build.log" 2>&1 || { tail -n 40 "$build.log" >&2; exit 1; }
+  cmake --build --preset "$1" -j "$jobs" >>"$build.log" 2>&1 || { tail -n 40 "$build.log" >&2; exit 1; }
   work=$build/recordings
   mkdir -p "$work"
   recordings "$build/bin/heft" "$work"
@@ -51,13 +55,13 @@ run() {  # name, sanitizers, targets
 }
 
 address() {
-  run address address,undefined,float-cast-overflow "heft replay_corpora"
+  run fuzz
   # Exceptions inside assimp, which reads meshes, are leaks of its own.
   echo leak:libassimp >"$build/leaks"
   LSAN_OPTIONS=suppressions=$build/leaks:print_suppressions=0 "$build/bin/replay_corpora" tests/fuzz/corpus >"$build/corpora.log" 2>&1 || { tail -n 40 "$build/corpora.log" >&2; exit 1; }
   echo "corpora of $(wc -l <"$build/corpora.log") parsers: 0"
 }
-thread() { run thread thread heft; }
+thread() { run threads; }
 
 export ASAN_OPTIONS=exitcode=99:detect_leaks=1 UBSAN_OPTIONS=halt_on_error=1:exitcode=99 TSAN_OPTIONS=exitcode=99
 case ${1:-both} in
