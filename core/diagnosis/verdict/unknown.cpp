@@ -330,7 +330,7 @@ struct Unknown {
 /// a walk is said once it is known that nothing hides behind it; what single readings show stands last.
 constexpr std::array kUnknowns{Unknown{If::aboveSteps, Weighs::ifNothingElse, suddenChanges},
                                Unknown{If::aboveSteps, Weighs::byEvidence, slowWaveInTime},
-                               Unknown{If::aboveSteps, Weighs::byEvidence, unevenChannels},
+                               Unknown{If::aboveSteps, Weighs::ifNothingElse, unevenChannels},
                                Unknown{If::aboveSteps, Weighs::byEvidence, hiddenByTheWalk},
                                Unknown{If::aboveSteps, Weighs::byEvidence, theWalkItself},
                                Unknown{If::aboveSteps, Weighs::byEvidence, hiddenByADrift},
