@@ -19,6 +19,7 @@
 #include "core/simulation/practice.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/as_driver.h"
+#include "tests/ui/fixtures.h"
 #include "ui/charts/chart.h"
 #include "ui/controller/workspace.h"
 #include "ui/reality_cards/cause_card.h"
@@ -30,6 +31,7 @@
 #include "ui/reality_panel/reality_panel.h"
 
 // After ui/controller/diagnosis.h, which lets Qt's keyword "signals" be an ordinary word.
+#include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/wording/words.h"
 
 namespace heft {
@@ -455,6 +457,55 @@ TEST(CauseCards, SayWhatSingleReadingsTellOfSomethingUnknown) {
   EXPECT_TRUE(textOf().contains("fx reads exactly 0 N."));
   EXPECT_TRUE(textOf().contains("Switch off the threshold."));
   EXPECT_FALSE(textOf().contains("record the same motion once more"));
+}
+
+/// A cause of the catalogue that was found at its usual size, in a recording whose every channel it explains.
+DiagnosedCause foundAt(const diagnosis::Cause& cause, const diagnosis::Form* form, Eigen::Index blocks) {
+  DiagnosedCause out;
+  out.id = cause.id();
+  out.direct = form == nullptr;
+  out.deltaBic = 100.0;
+  if (out.direct) return out;
+  for (const auto& p : form->parameters) out.parameters.push_back({p.name, p.unit, p.size * p.scale, 0.01});
+  out.when = {{1.0, 2.0}};
+  out.before = out.after = diagnosis::Wrenches::Zero(6, blocks);
+  for (Eigen::Index n = 0; n < blocks; ++n) out.before.col(n).setConstant(std::sin(0.1 * static_cast<double>(n)));
+  return out;
+}
+
+/// Each cause has a card with its sentence and, where it was fitted, a picture of what it explains.
+TEST(CauseCards, EachCauseHasAPicture) {
+  constexpr Eigen::Index kBlocks = 500;
+  DiagnosisReport report;
+  report.series.time = VectorXd::LinSpaced(kBlocks, 0.0, 10.0);
+  report.series.measured = report.series.before = report.series.after = diagnosis::Wrenches::Zero(6, kBlocks);
+  report.series.judged.assign(static_cast<std::size_t>(kBlocks), true);
+  const Recording recording = test::sineRecording(1001, 100);
+  const auto motion = motionOf(recording, nullptr, {}).value();
+  const diagnosis::Signals sensed = diagnosis::signalsOf(recording, motion, nullptr);
+  int pictures = 0;
+  for (const auto* list : {&diagnosis::catalogue(), &diagnosis::seenDirectly()})
+    for (const auto& cause : *list) {
+      if (cause->id() == diagnosis::kRandomWalk) continue;
+      const auto forms = cause->forms(sensed);
+      const auto form = std::ranges::find_if(forms, [](const auto& f) { return !f.guide; });
+      const DiagnosedCause found = foundAt(*cause, form == forms.end() ? nullptr : &*form, kBlocks);
+      QWidget parent;
+      const QWidget* card = makeCauseCard(report, found, {}, {}, &parent);
+      const auto* sentence = card->findChild<QLabel*>();
+      EXPECT_NE(sentence, nullptr) << found.id;
+      EXPECT_EQ(card->property("cause").toString().toStdString(), found.id);
+      const auto* chart = card->findChild<ChartWidget*>();
+      EXPECT_EQ(chart != nullptr, !found.direct) << found.id;
+      if (chart == nullptr) continue;
+      ++pictures;
+      ASSERT_EQ(chart->chart().curves.size(), 2u) << found.id;
+      const QImage with = chartImage(chart->chart(), {300, 122}, themeOf(ThemeKind::light));
+      Chart without = chart->chart();
+      for (ChartCurve& curve : without.curves) curve.points.clear();
+      EXPECT_NE(with, chartImage(without, {300, 122}, themeOf(ThemeKind::light))) << found.id;
+    }
+  EXPECT_GT(pictures, 15);
 }
 
 /// What has no card is said below them; what the card of something unknown tells is not said twice.

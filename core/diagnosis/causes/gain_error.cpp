@@ -1,6 +1,8 @@
 // One channel of the sensor reads too much or too little: either way, or more to one side and less to the other. Or all
 // forces do against the torques: with the payload free, that is the sensor's place shifted along the way to the centre
 // of mass. Or gains change while the sensor warms up.
+#include <limits>
+
 #include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
@@ -118,8 +120,9 @@ class GainError final : public Cause {
 
  private:
   static constexpr int kForces = 6, kGrowing = 7, kGrowingAlike = 8;  ///< form.choice: instead of a channel
-  static constexpr double kSteadily = 1e6;  ///< [s] A gain that grows as long as this grows all the time
-  static constexpr int kBySign = 1;         ///< Second in form.choice, after the channel
+  /// [s] A gain may as well grow all the time.
+  static constexpr double kSteadily = std::numeric_limits<double>::infinity();
+  static constexpr int kBySign = 1;  ///< Second in form.choice, after the channel
 
   static bool bySign(const Form& form) { return form.choice.size() > 1; }
 };

@@ -51,8 +51,6 @@ Best bestOf(const Wrenches& scaled, const std::vector<Contact>& contacts, const 
 }
 
 constexpr double kShortest = 0.8;  ///< [s]
-/// Share of the payload's mass, or of what acts in a contact, that is as good as none.
-constexpr double kNothing = 0.02;
 
 /// What is left of a fit in `contacts`, as something that acts in all of them would make it.
 class LeftBy {
@@ -109,44 +107,33 @@ bool areTooShort(const std::vector<Contact>& contacts) {
   return contacts.empty() || std::ranges::any_of(contacts, [](const Contact& c) { return c.to - c.from < kShortest; });
 }
 
-/// Contacts as one load, at one place of the tool, would make all of them.
-struct LoadIn {
-  LoadIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
-    const LeftBy leftBy(signals, fit, contacts);
-    const Best load = leftBy.load(contacts);
-    double leftByHolding = 1e-300, blocks = 0.0;
-    for (const Contact& contact : contacts) {
-      leftByHolding += leftBy.holding(contact).left;
-      blocks += static_cast<double>(contact.blocks.to - contact.blocks.from);
-    }
-    share = load.left / leftBy.all(contacts);
-    shareOfHolding = load.left / leftByHolding;
-    mass = load.parameters(0);
-    massStd = std::sqrt(std::max(1.0, load.left / (6.0 * blocks)) * inverse(load.information)(0, 0));
-  }
-
-  double share, shareOfHolding;  ///< That it leaves: of what is there, of what holding on to the tool leaves
-  double mass, massStd;          ///< [kg]
-};
-
 }  // namespace
 
-bool isWeightElsewhere(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
-  if (areTooShort(contacts)) return false;
-  const LoadIn load(signals, fit, contacts);
-  return load.share < kSmallShare && load.shareOfHolding < kMajority &&
-         std::abs(load.mass) < std::max(2.0 * load.massStd, kNothing * fit.model.x(6));
+std::optional<LoadIn> loadIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+  if (areTooShort(contacts)) return std::nullopt;
+  const LeftBy leftBy(signals, fit, contacts);
+  const Best load = leftBy.load(contacts);
+  double leftByHolding = 1e-300, blocks = 0.0;
+  for (const Contact& contact : contacts) {
+    leftByHolding += leftBy.holding(contact).left;
+    blocks += static_cast<double>(contact.blocks.to - contact.blocks.from);
+  }
+  return LoadIn{load.left / leftBy.all(contacts), load.left / leftByHolding, load.parameters(0),
+                std::sqrt(std::max(1.0, load.left / (6.0 * blocks)) * inverse(load.information)(0, 0))};
+}
+
+bool isCarried(const LoadIn& load) {
+  // Of what is left in the contacts, and of what holding on leaves. A part that was carried left 0.006 and 0.1; of
+  // eight that were touched as long, the most like a load left 0.16 and seven times.
+  return load.share <= kTinyShare && load.shareOfHolding <= kMajority && load.mass >= 3.0 * load.massStd;
 }
 
 std::optional<CarriedLoad> carriedLoadIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
-  // Of what is left in the contacts, and of what holding on leaves. A part that was carried left 0.006 and 0.1; of
-  // eight that were touched as long, the most like a load left 0.16 and seven times.
-  if (areTooShort(contacts)) return std::nullopt;
-  const LoadIn load(signals, fit, contacts);
-  if (load.share > kTinyShare || load.shareOfHolding > kMajority || load.mass < 3.0 * load.massStd) return std::nullopt;
+  const auto load = loadIn(signals, fit, contacts);
+  if (!load || !isCarried(*load)) return std::nullopt;
   CarriedLoad out;
-  out.mass = load.mass;
-  out.massStd = load.massStd;
+  out.mass = load->mass;
+  out.massStd = load->massStd;
   for (const Contact& contact : contacts) {
     out.evidence += contact.evidence;
     out.when.emplace_back(contact.from, contact.to);
@@ -160,7 +147,7 @@ std::vector<Contact> recurrencesIn(const Signals& signals, const Fit& fit, const
   const LeftBy leftBy(signals, fit, contacts);
   for (const Contact& contact : contacts) {
     const double all = leftBy.all({contact});
-    if (contact.to - contact.from > kShortest && ((zeroJumps && leftBy.zero(contact).left < kNothing * all) ||
+    if (contact.to - contact.from > kShortest && ((zeroJumps && leftBy.zero(contact).left < kNoLoad * all) ||
                                                   (loadChanges && leftBy.load({contact}).left < kTinyShare * all)))
       out.push_back(contact);
   }

@@ -7,8 +7,8 @@
 
 namespace heft::diagnosis {
 
-/// What the fit leaves in the contacts goes with, where each can be told from the others, as no push can; empty
-/// otherwise.
-Correlate lawOf(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts);
+/// What the contacts go with by the hypothesis with the best evidence; empty where that is a push, or a load that the
+/// tool carries.
+Correlate correlateOf(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts);
 
 }  // namespace heft::diagnosis

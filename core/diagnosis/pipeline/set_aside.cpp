@@ -178,7 +178,7 @@ void setUnexplainedAside(Hypothesis& hypothesis, const Signals& whole) {
     hypothesis.unexplained = std::move(hypothesis.contacts);
     pushes.clear();
   }
-  if (const Correlate law = lawOf(whole, hypothesis.search.final, pushes); !law.empty()) {
+  if (const Correlate law = correlateOf(whole, hypothesis.search.final, pushes); !law.empty()) {
     setAllAside(hypothesis, law);
     pushes.clear();
   }
@@ -227,7 +227,7 @@ void setTouchesAside(Hypothesis& hypothesis) {
     }
   }
   search.final = fitModel(signals, hypothesis.stretches, std::move(model));
-  if (const Correlate law = lawOf(signals, search.final, hypothesis.contacts); !law.empty())
+  if (const Correlate law = correlateOf(signals, search.final, hypothesis.contacts); !law.empty())
     setAllAside(hypothesis, law);
 }
 

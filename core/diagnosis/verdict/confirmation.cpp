@@ -106,7 +106,11 @@ bool holds(const Found& found, const Gain& gain, const Hypothesis& hypothesis, d
   // Faint beside a strong one, it may be no more than what that one's form does not quite have.
   const bool leftover = needed.moreOfFaint && found.gain < std::min(2.0 * kFaint, kEventError * strongest);
   // Where nearly all parts are better, one of them is not like the others, such as the first of a drift that settles.
-  if (!leftover && !faint && 10 * gain.blocksBetter >= 8 * gain.blocks) return true;
+  // Eight of ten are by chance once in twenty (sign test), nine in a hundred: beside something unknown, which may be
+  // the others, the latter is asked, or that all of it is better for certain.
+  const auto blocks = static_cast<double>(gain.blocks), better = static_cast<double>(gain.blocksBetter);
+  const bool byChance = needed.always > 0.0 && gain.lower <= 0.0 && better < kNearlyAll * blocks;
+  if (!leftover && !faint && !byChance && better >= kLargeShare * blocks) return true;
   if (gain.explainedFraction < -kSmallShare) return false;
   // What has its place in time can hardly be seen elsewhere. What begins and stays is seen on all later blocks.
   const bool helps = !faint && gain.explainedFraction > 0.0;

@@ -311,46 +311,45 @@ enum class If {
   readingsRight,  ///< No test of single readings found anything that has lines or leaps of its own
 };
 
-/// What a claim replaces.
-enum class Replaces {
-  anything,  ///< It was seen in the readings themselves, or decides by itself
-  weaker,    ///< What has no more evidence
-  faint,     ///< Nothing, or what is little above chance; otherwise it is not asked
-  nothing,   ///< Nothing: where something remains it is not asked
+/// How a claim competes.
+enum class Weighs {
+  byEvidence,  ///< The largest evidence is told
+  alone,       ///< It needs no model, so that it replaces whatever a model makes of it
+  /// It is asked where nothing remains so far: a strong cause whose form is not quite right leaves as much where it
+  /// acts
+  ifNothingElse,
 };
 
 struct Unknown {
   If asked;
-  Replaces replaces;
+  Weighs weighs;
   Claim (*claim)(const Asked& asked, const WhatRemains& soFar);
 };
 
-/// Hypotheses about what the catalogue lacks. Of those that replace nothing the first that holds is told: from what is
-/// most particular to what anything may look like. What single readings show stands last, since it needs no model and
-/// replaces whatever a model makes of it.
-constexpr std::array kUnknowns{Unknown{If::aboveSteps, Replaces::nothing, suddenChanges},
-                               Unknown{If::aboveSteps, Replaces::faint, slowWaveInTime},
-                               Unknown{If::aboveSteps, Replaces::nothing, unevenChannels},
-                               Unknown{If::aboveSteps, Replaces::nothing, hiddenByTheWalk},
-                               Unknown{If::aboveSteps, Replaces::anything, theWalkItself},
-                               Unknown{If::aboveSteps, Replaces::nothing, hiddenByADrift},
-                               Unknown{If::always, Replaces::weaker, segmentsSetAside},
-                               Unknown{If::always, Replaces::anything, recurrences},
-                               Unknown{If::always, Replaces::weaker, blows},
-                               Unknown{If::readingsRight, Replaces::anything, aHum},
-                               Unknown{If::readingsRight, Replaces::anything, knocks},
-                               Unknown{If::readingsRight, Replaces::nothing, bursts},
-                               Unknown{If::readingsRight, Replaces::nothing, oneGlitch},
-                               Unknown{If::always, Replaces::anything, deadBandsOf},
-                               Unknown{If::always, Replaces::anything, stuckBitsOf},
-                               Unknown{If::always, Replaces::anything, fewLeaps},
-                               Unknown{If::always, Replaces::anything, frozenChannelOf}};
+/// Hypotheses about what the catalogue lacks, one line each. Those that weigh by evidence compete, in no order but that
+/// a walk is said once it is known that nothing hides behind it; what single readings show stands last.
+constexpr std::array kUnknowns{Unknown{If::aboveSteps, Weighs::ifNothingElse, suddenChanges},
+                               Unknown{If::aboveSteps, Weighs::byEvidence, slowWaveInTime},
+                               Unknown{If::aboveSteps, Weighs::ifNothingElse, unevenChannels},
+                               Unknown{If::aboveSteps, Weighs::byEvidence, hiddenByTheWalk},
+                               Unknown{If::aboveSteps, Weighs::byEvidence, theWalkItself},
+                               Unknown{If::aboveSteps, Weighs::byEvidence, hiddenByADrift},
+                               Unknown{If::always, Weighs::byEvidence, segmentsSetAside},
+                               Unknown{If::always, Weighs::byEvidence, recurrences},
+                               Unknown{If::always, Weighs::byEvidence, blows},
+                               Unknown{If::readingsRight, Weighs::alone, aHum},
+                               Unknown{If::readingsRight, Weighs::alone, knocks},
+                               Unknown{If::readingsRight, Weighs::ifNothingElse, bursts},
+                               Unknown{If::readingsRight, Weighs::ifNothingElse, oneGlitch},
+                               Unknown{If::always, Weighs::alone, deadBandsOf},
+                               Unknown{If::always, Weighs::alone, stuckBitsOf},
+                               Unknown{If::always, Weighs::alone, fewLeaps},
+                               Unknown{If::always, Weighs::alone, frozenChannelOf}};
 
 bool isAsked(const Unknown& unknown, const ByReadings& by, double gain) {
   if (unknown.asked == If::aboveSteps && by.withinSteps) return false;
   if (unknown.asked == If::readingsRight && by.known) return false;
-  if (unknown.replaces == Replaces::nothing) return gain <= kUnexplained;
-  return unknown.replaces != Replaces::faint || gain < 2.0 * kUnexplained;
+  return unknown.weighs != Weighs::ifNothingElse || gain <= kUnexplained;
 }
 
 }  // namespace
@@ -364,7 +363,7 @@ WhatRemains whatRemains(const Hypothesis& hypothesis, const Recording& cleaned, 
     Claim claim = unknown.claim(asked, out);
     std::ranges::move(claim.findings, std::back_inserter(out.findings));
     if (!claim.remaining) continue;
-    if (unknown.replaces == Replaces::weaker && claim.remaining->gain < out.structure.gain) continue;
+    if (unknown.weighs != Weighs::alone && claim.remaining->gain < out.structure.gain) continue;
     out.structure = *claim.remaining;
     out.claimed = true;
     out.seen = out.structure.gain == kSeenDirectly;

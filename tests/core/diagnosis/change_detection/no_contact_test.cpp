@@ -517,7 +517,7 @@ TEST(NoContact, WhatGoesWithTurningEitherWayIsNone) {
   }
   ASSERT_GE(contacts.size(), 2u);
   const auto fit = diagnosis::fitModel(signals, diagnosis::stretchesOf(signals.usable), {});
-  EXPECT_EQ(diagnosis::lawOf(signals, fit, contacts), "how fast the tool turns");
+  EXPECT_EQ(diagnosis::correlateOf(signals, fit, contacts), "how fast the tool turns");
 }
 
 /// Doors slam, and the air pushes at the sealed sensor for a second each time: no noise leaps as far, and that often.

@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "core/diagnosis/causes/catalogue.h"
-#include "core/diagnosis/change_detection/carried_load.h"
+#include "core/diagnosis/change_detection/hypotheses/segment_hypothesis.h"
 #include "core/diagnosis/correction/corrected.h"
 #include "core/diagnosis/pipeline/hypothesis.h"
 #include "core/diagnosis/pipeline/set_aside.h"
@@ -80,7 +80,7 @@ TEST(TouchLaws, ALeaningTableIsNone) {
         signals.usable[static_cast<std::size_t>(n)] = false;
       }
     const auto fit = diagnosis::fitModel(signals, diagnosis::stretchesOf(signals.usable), {});
-    return diagnosis::lawOf(signals, fit, {contact});
+    return diagnosis::correlateOf(signals, fit, {contact});
   };
   EXPECT_EQ(lawFor(aTool().com), "the centre of mass, as if the robot's base moved");
   EXPECT_EQ(lawFor(aTool().com + Vector3d(0.0, 0.0, 0.025)), "");
@@ -156,7 +156,8 @@ TEST(TouchLaws, AWeightThatSlidesIsNone) {
     const Signals whole = signals;
     signals.usable = usableOutside(whole, {contact.blocks});
     const Fit fit = fitModel(signals, stretchesOf(signals.usable), Model{});
-    return isWeightElsewhere(whole, fit, {contact});
+    const std::vector<Contact> contacts{contact};
+    return weightElsewhere({whole, fit, contacts}).has_value();
   };
   EXPECT_TRUE(elsewhere({0.0, 0.002, 0.0, 0.008}, Vector3d::Zero()));
   EXPECT_FALSE(elsewhere({0.18, 0.002, 0.0, 0.008}, Vector3d::Zero()));
