@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/base/remedy.h"
 #include "core/base/say.h"
+#include "core/base/stop.h"
 #include "core/estimation/spikes.h"
 #include "core/estimation/standstill.h"
 #include "core/estimation/swing.h"
@@ -127,6 +128,7 @@ Understanding asStated(const Recording& recording) {
   out.posesInFile = recording.hasOrientation();
   const bool poses = recording.meta.kind == RecordingKind::poses;
   if (!poses) out.trouble = sensorTrouble(recording);
+  stopPoint();
   if (!poses) out.held = heldValues(recording.time, recording.wrench);
   const double duration = poses ? static_cast<double>(recording.rows()) : recording.duration();
   out.steps = out.held.period > 0.0 ? readingSteps(recording.wrench(out.held.rows, Eigen::all), duration)
@@ -201,6 +203,7 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
                                const Understanding& as, std::optional<Motion> ready = std::nullopt) {
   auto motion = ready ? Result<Motion>(std::move(*ready)) : motionOf(recording, robot, options.motion);
   if (!motion) return motion.error();
+  stopPoint();
   Prepared out;
   out.motion = understood(std::move(*motion), as);
   out.cutoffHz = options.motion.smoothing == SmoothingKind::lowPass ? options.motion.cutoffHz : 0.0;
@@ -271,6 +274,7 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
          heft::say("The tool did not move."),
          heft::say("Tilt it in several directions: at rest, its weight and the sensor's bias cannot be separated."),
          {}});
+  stopPoint();
   out.silent = options.silent;
   if (!as.reading) out.rounding = as.steps.roundingNoise(1.0 / out.blocks.rateHz);
   learnNoise(out, false);
@@ -401,12 +405,14 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     mended = recording;
     mended->wrench = std::move(wrench);
   }
+  stopPoint();
   StampScatter scatter;
   const auto even = evenTimes(recording, scatter);
   if (even) {
     if (!mended) mended = recording;
     mended->time = *even;
   }
+  stopPoint();
   const Recording& cleaned = mended ? *mended : recording;
   EstimateOptions trial = options;
   const auto silent = silentChannels(cleaned.wrench);
@@ -418,6 +424,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     trial.motion.cutoffHz = kDefaultCutoffHz;
     if (options.motion.outputRateHz <= 0.0) trial.motion.outputRateHz = MotionOptions{}.outputRateHz;
   }
+  stopPoint();
   const Understanding stated = asStated(cleaned);
   Understanding as = stated;
   std::optional<conventions::Report> report;

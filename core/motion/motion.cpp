@@ -8,6 +8,7 @@
 
 #include "core/base/remedy.h"
 #include "core/base/say.h"
+#include "core/base/stop.h"
 #include "core/math/statistics.h"
 #include "core/motion/denoiser.h"
 #include "core/motion/inertial_witness.h"
@@ -161,6 +162,7 @@ class Smoother {
       const Eigen::Index to = output_.size - from < instants + instants / 2 ? output_.size : from + instants;
       const Eigen::Index first = std::max<Eigen::Index>(0, output_.first + from * output_.stride - reach);
       const Eigen::Index last = std::min(signal.grid.size, output_.first + (to - 1) * output_.stride + reach + 1);
+      stopPoint();
       const Channels part = signal.rows(first, to == output_.size ? signal.grid.size : last);
       const Eigen::Index before = first == 0 ? pad : 0, after = first + part.rows() == signal.grid.size ? pad : 0;
       work(part, padded(part, before, after), first - before, from, to);
@@ -173,10 +175,12 @@ class Smoother {
     if (twicing_) taken = work;
     filterForwardBackward(sections_, work);
     if (twicing_) {
+      stopPoint();
       taken -= work;
       filterForwardBackward(sections_, taken);
       work += taken;
     }
+    stopPoint();
     if (!denoise_) return;
     const Denoiser denoiser(part, rate_);
     denoiser.apply(work);
@@ -211,6 +215,7 @@ VectorXd sampleNoise(const Gridded& signal) {
   // A median would be zero for coarsely quantised channels that mostly repeat.
   VectorXd sum = VectorXd::Zero(signal.channels());
   for (Eigen::Index from = 0; from + 2 < signal.grid.size; from += kStretchRows) {
+    stopPoint();
     const Channels part = signal.rows(from, std::min(signal.grid.size, from + kStretchRows + 2));
     for (Eigen::Index i = 2; i < part.rows(); ++i)
       sum += (part.row(i) - 2.0 * part.row(i - 1) + part.row(i - 2)).cwiseAbs2().transpose();
@@ -289,6 +294,7 @@ Result<bool> fromJoints(const Recording& recording, const RobotModel* robot, Smo
   motion.ddq = d.second.transpose();
   VectorXd qk, dqk, ddqk;
   for (Eigen::Index k = 0; k < motion.size(); ++k) {
+    if (k % kRowsBetweenStops == 0) stopPoint();
     qk = d.value.row(k).transpose();
     dqk = d.first.row(k).transpose();
     ddqk = d.second.row(k).transpose();
@@ -311,6 +317,7 @@ void fromPoses(const Recording& recording, Smoother& smoother, const UniformGrid
                                        motion.findings);
   }
   for (Eigen::Index k = 0; k < motion.size(); ++k) {
+    if (k % kRowsBetweenStops == 0) stopPoint();
     FrameMotion frame;
     const double norm = rotation.value.row(k).norm();
     const auto component = [&](const Channels& c) {

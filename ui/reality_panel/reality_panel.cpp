@@ -56,7 +56,7 @@ struct Looked {
   std::string json;
 };
 
-Result<Looked> lookAt(const Snapshot& now, const Progress& progress) {
+Result<Looked> lookedAt(const Snapshot& now, const Progress& progress) {
   const Recording recording = now.recording();
   DiagnoseOptions options;
   options.estimate = now.options;
@@ -70,6 +70,10 @@ Result<Looked> lookAt(const Snapshot& now, const Progress& progress) {
   out.json = toJson(*report).dump();
   out.report = std::make_shared<const DiagnosisReport>(std::move(*report));
   return out;
+}
+
+Result<Looked> lookAt(const Snapshot& now, const Progress& progress) {
+  return stoppable(progress.stop, [&] { return lookedAt(now, progress); });
 }
 
 bool sameMarks(const std::vector<Mark>& a, const std::vector<Mark>& b) {

@@ -348,7 +348,7 @@ constexpr std::array kUnknowns{Unknown{If::aboveSteps, Replaces::nothing, sudden
 
 bool isAsked(const Unknown& unknown, const ByReadings& by, double gain) {
   if (unknown.asked == If::aboveSteps && by.withinSteps) return false;
-  if (unknown.asked == If::readingsRight && by.known) return false;
+  if (unknown.asked == If::readingsRight && (by.known || by.coarse)) return false;
   if (unknown.replaces == Replaces::nothing) return gain <= kUnexplained;
   return unknown.replaces != Replaces::faint || gain < 2.0 * kUnexplained;
 }
