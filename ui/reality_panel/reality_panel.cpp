@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "core/base/json_file.h"
+#include "core/base/stop.h"
 #include "core/diagnosis/correction/check_on_other.h"
 #include "core/diagnosis/report/report.h"
 #include "core/diagnosis/wording/cable_force.h"
