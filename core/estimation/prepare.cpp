@@ -198,10 +198,18 @@ Finding accelerometerStands(const Vector3d& p_SoI_S) {
           {}};
 }
 
+/// Of what may still turn or move the sensor, all of the motion is needed.
+MotionOptions motionOptions(const Recording& recording, MotionOptions options, const Understanding& as) {
+  options.payloadOnly = options.payloadOnly && !as.reading && !recording.hasAccelerometer() &&
+                        (recording.hasPosition() || !recording.hasOrientation());
+  return options;
+}
+
 /// `ready`: the motion as stated, if it is known already.
 Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                                const Understanding& as, std::optional<Motion> ready = std::nullopt) {
-  auto motion = ready ? Result<Motion>(std::move(*ready)) : motionOf(recording, robot, options.motion);
+  auto motion = ready ? Result<Motion>(std::move(*ready))
+                      : motionOf(recording, robot, motionOptions(recording, options.motion, as));
   if (!motion) return motion.error();
   stopPoint();
   Prepared out;
@@ -274,6 +282,7 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
          heft::say("The tool did not move."),
          heft::say("Tilt it in several directions: at rest, its weight and the sensor's bias cannot be separated."),
          {}});
+  if (motionOptions(recording, options.motion, as).payloadOnly) keepPayloadMotion(out.motion);
   stopPoint();
   out.silent = options.silent;
   if (!as.reading) out.rounding = as.steps.roundingNoise(1.0 / out.blocks.rateHz);
@@ -309,7 +318,7 @@ std::optional<WrenchRows> noisierBlocks(const Recording& recording, const RobotM
   options.outputRateHz = MotionOptions{}.outputRateHz;
   auto noisier = noisierMotion(recording);
   if (!noisier) return std::nullopt;
-  auto motion = motionOf(*noisier, robot, options);
+  auto motion = motionOf(*noisier, robot, motionOptions(recording, options, as));
   noisier.reset();  // of an hour as large as all else
   if (!motion) return std::nullopt;
   return blocksOf(understood(std::move(*motion), as), recording, as.held);
@@ -335,7 +344,7 @@ FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const Es
   wide.cutoffHz = std::max(kDefaultCutoffHz, prepared.cutoffHz);
   const bool fixed = !widest;
   if (fixed && stride > 1) {
-    auto motion = motionOf(recording, robot, wide);
+    auto motion = motionOf(recording, robot, motionOptions(recording, wide, as));
     if (motion) widest = blocksOf(understood(std::move(*motion), as), recording, as.held);
   }
   // Rows of a motion that was moved to the sensor's origin (addSwing) have no others beside them.
@@ -430,7 +439,9 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
   std::optional<conventions::Report> report;
   std::optional<Motion> first;
   if (checkConventions) {
-    auto motion = motionOf(cleaned, robot, trial.motion);
+    MotionOptions whole = trial.motion;
+    whole.payloadOnly = false;
+    auto motion = motionOf(cleaned, robot, whole);
     if (!motion) return motion.error();
     first = std::move(*motion);
     report = checkConventionsOf(recording, *first, options.conventions, as);

@@ -256,18 +256,19 @@ Derivatives withReportedVelocity(Smoother& smoother, const Gridded& positions, c
   return fromPositions;
 }
 
-void resizeMotion(Motion& motion, Eigen::Index size) {
-  for (auto* series : {&motion.specificForce, &motion.omega, &motion.alpha, &motion.velocity, &motion.position})
-    series->setZero(3, size);
-  motion.R_BS.resize(static_cast<std::size_t>(size));
+void resizeMotion(Motion& motion, Eigen::Index size, bool payloadOnly = false) {
+  for (auto* series : {&motion.specificForce, &motion.omega, &motion.alpha}) series->setZero(3, size);
+  for (auto* series : {&motion.velocity, &motion.position}) series->setZero(3, payloadOnly ? 0 : size);
+  motion.R_BS.resize(static_cast<std::size_t>(payloadOnly ? 0 : size));
 }
 
 void setSample(Motion& motion, Eigen::Index k, const FrameMotion& frame, const Vector3d& gravity) {
   const Matrix3d R = frame.X_BS.linear();
-  motion.R_BS[static_cast<std::size_t>(k)] = R;
   motion.specificForce.col(k) = R.transpose() * (frame.a_BSo_B - gravity);
   motion.omega.col(k) = R.transpose() * frame.w_BS_B;
   motion.alpha.col(k) = R.transpose() * frame.alpha_BS_B;
+  if (motion.R_BS.empty()) return;
+  motion.R_BS[static_cast<std::size_t>(k)] = R;
   motion.velocity.col(k) = frame.v_BSo_B;
   motion.position.col(k) = frame.X_BS.translation();
 }
@@ -289,9 +290,11 @@ Result<bool> fromJoints(const Recording& recording, const RobotModel* robot, Smo
   const Isometry3d X_LS = poseFromXyzRpy(recording.meta.mount.xyz, recording.meta.mount.rpy);
   const Derivatives d = withReportedVelocity(smoother, {grid, recording.time, recording.q},
                                              {grid, recording.time, recording.dq}, heft::say("joint"), motion.findings);
-  motion.q = d.value.transpose();
-  motion.dq = d.first.transpose();
-  motion.ddq = d.second.transpose();
+  if (!motion.R_BS.empty()) {
+    motion.q = d.value.transpose();
+    motion.dq = d.first.transpose();
+    motion.ddq = d.second.transpose();
+  }
   VectorXd qk, dqk, ddqk;
   for (Eigen::Index k = 0; k < motion.size(); ++k) {
     if (k % kRowsBetweenStops == 0) stopPoint();
@@ -365,6 +368,12 @@ void requireSensorAxes(const Recording& recording) {
 
 }  // namespace
 
+void keepPayloadMotion(Motion& motion) {
+  motion.R_BS = {};
+  for (auto* series : {&motion.velocity, &motion.position}) series->resize(3, 0);
+  for (auto* series : {&motion.q, &motion.dq, &motion.ddq}) series->resize(0, 0);
+}
+
 Result<RobotModel> robotFor(const RecordingMeta& meta, Findings& findings) {
   if (!meta.robot) return Error{heft::say("The recording names no robot.")};
   if (*meta.robot == "panda") return RobotModel::panda();
@@ -431,7 +440,7 @@ Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, con
   Motion motion;
   motion.rateHz = grid.rateHz / smoother.output().stride;
   motion.startTime = grid.start + static_cast<double>(smoother.output().first) / grid.rateHz;
-  resizeMotion(motion, smoother.output().size);
+  resizeMotion(motion, smoother.output().size, options.payloadOnly);
   // Poses are what S really did; joints only imply it through a robot model that may not be the right one.
   if (recording.hasOrientation()) {
     fromPoses(recording, smoother, grid, motion);
