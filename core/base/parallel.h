@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <functional>
 
+#include "core/base/stop.h"
+
 namespace heft {
 
 namespace detail {
@@ -15,11 +17,17 @@ void onBoth(const std::function<void()>& some);
 }  // namespace detail
 
 /// Calls work(i) for each i in [0, count), the next one on whichever thread is free. Exceptions reach the caller.
+/// Before each is a stopPoint().
 template <class Work>
 void parallelFor(std::size_t count, const Work& work) {
   std::atomic<std::size_t> next{0};
+  const std::stop_token stop = StopScope::current();
   const auto some = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
+    const StopScope scope(stop);
+    for (std::size_t i = next++; i < count; i = next++) {
+      stopPoint();
+      work(i);
+    }
   };
   count > 1 ? detail::onBoth(some) : some();
 }

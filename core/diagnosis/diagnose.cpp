@@ -5,17 +5,19 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "core/base/say.h"
+#include "core/base/stop.h"
 #include "core/diagnosis/artefacts/own_errors.h"
 #include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/correction/re_estimate.h"
+#include "core/diagnosis/long_recording.h"
 #include "core/diagnosis/poses.h"
 #include "core/diagnosis/readings.h"
-#include "core/diagnosis/smoothing_search.h"
 #include "core/diagnosis/verdict/confirmation.h"
 #include "core/diagnosis/verdict/description.h"
 #include "core/diagnosis/verdict/faint_touches.h"
@@ -99,6 +101,55 @@ std::vector<Smallest> smallestVisible(Hypothesis& hypothesis, const std::vector<
   return out;
 }
 
+/// The same of causes that were looked for in a part of the recording alone.
+void addSmallest(Searched& part, DiagnosisReport& out) {
+  for (Smallest& one : smallestVisible(part.hypothesis, out.causes, std::max(kNamed, out.threshold)))
+    if (std::ranges::find(out.smallest, one.cause, &Smallest::cause) == out.smallest.end())
+      out.smallest.push_back(std::move(one));
+}
+
+/// What holds of what was found. Of a long recording, what is left is told by the part if that leaves more; where only
+/// the whole leaves something unknown, another part is searched.
+Result<Confirmed> confirmedAtAnyLength(const Recording& recording, const Readings& readings, const RobotModel* robot,
+                                       const DiagnoseOptions& options, const Progress& progress,
+                                       SearchedInParts& searches) {
+  const auto judge = [&](Searched& found) {
+    return confirmed(found.hypothesis, found.chance, readings.steps, readings.have(ids::dropouts));
+  };
+  Confirmed out = judge(searches.whole);
+  if (searches.parts.empty()) return out;
+  Structure& inPart = searches.parts.front().remaining;
+  inPart = judge(searches.parts.front().found).remaining;
+  if (out.remaining.gain > kUnexplained && inPart.gain <= kUnexplained) {
+    const Recording& stated = readings.asRead(recording);
+    if (auto error = searchWorstPart(stated, readings, robot, options, progress, searches)) return *error;
+    out = judge(searches.whole);
+  }
+  if (searches.parts.front().remaining.gain > out.remaining.gain) out.remaining = searches.parts.front().remaining;
+  return out;
+}
+
+/// Of a long recording, what is fast is asked of its part.
+WhatRemains whatRemainsAtAnyLength(const Readings& readings, ByReadings by, const Structure& structure,
+                                   const SearchedInParts& searches) {
+  by.coarse = !searches.parts.empty();
+  WhatRemains out = whatRemains(searches.whole.hypothesis, readings.cleaned, by, structure);
+  if (!by.coarse) return out;
+  const SearchedPart& part = searches.parts.front();
+  ByReadings fine;
+  fine.known = by.known;
+  fine.withinSteps = by.withinSteps;
+  WhatRemains there = whatRemains(part.found.hypothesis, part.cleaned, fine, part.remaining);
+  for (Finding& finding : there.findings)
+    if (std::ranges::find(out.findings, finding.code, &Finding::code) == out.findings.end())
+      out.findings.push_back(std::move(finding));
+  if (there.structure.gain <= out.structure.gain) return out;
+  out.structure = there.structure;
+  out.claimed = there.claimed;
+  out.seen = there.seen;
+  return out;
+}
+
 /// What single readings tell of what the final model leaves.
 ByReadings byReadings(const Readings& readings, const Hypothesis& hypothesis, const WrenchRms& left) {
   ByReadings out;
@@ -176,37 +227,43 @@ void setSeries(const Hypothesis& hypothesis, const Confirmed& fitted, DiagnosisS
 
 }  // namespace
 
-Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options,
-                                 const Progress& progress) {
+namespace {
+
+Result<DiagnosisReport> diagnosed(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options,
+                                  const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   if (recording.meta.kind == RecordingKind::poses) return diagnosePoses(recording, robot, options, progress);
   DiagnosisReport out;
   out.file = recording.file;
   out.meta = recording.meta;
   out.ofPoses = recording.hasOrientation();
-  progress(0.02, heft::say("Checking individual readings"));
-  auto readings = readingsOf(recording, robot, options);
+  auto readings = readingsOf(recording, robot, options, progress);
   if (!readings) return readings.error();
-  auto found = searched(readings->stated, *readings, robot, options, progress);
-  if (!found) return found.error();
-  progress(0.8, heft::say("Comparing ways to smooth the motion"));
-  unlessCausesExplainMore(recording, robot, options, Progress{progress.stop, {}}, *readings, *found);
-  if (progress.cancelled()) return Error{"Stopped.", true};
-  Hypothesis& hypothesis = found->hypothesis;
-  out.threshold = found->threshold;
-  out.surrogates = static_cast<int>(found->chance.best.size());
-
+  auto searches = searchedAtAnyLength(readings->asRead(recording), *readings, robot, options, progress);
+  if (!searches) return searches.error();
+  const Progress quiet{progress.stop, {}};
+  if (readings->mistake) {
+    progress(0.8, heft::say("Comparing with the conventions as stated"));
+    unlessCausesExplainMore(recording, robot, options, quiet, *readings, *searches);
+  }
   progress(0.85, heft::say("Measuring the improvement on held-out segments"));
-  Confirmed fitted = confirmed(hypothesis, found->chance, readings->steps, readings->have(ids::dropouts));
+  auto judged = confirmedAtAnyLength(recording, *readings, robot, options, quiet, *searches);
+  if (!judged) return judged.error();
+  Confirmed& fitted = *judged;
+  Searched& found = searches->whole;
+  Hypothesis& hypothesis = found.hypothesis;
+  out.threshold = found.threshold;
+  out.surrogates = static_cast<int>(found.chance.best.size());
+
   const ByReadings by =
       byReadings(*readings, hypothesis, rmsOf(hypothesis.stretches, hypothesis.search.final.residual));
   const Structure structure = by.withinSteps ? Structure{} : fitted.remaining;
   setMisfit(hypothesis, structure, out);
-  WhatRemains remains = whatRemains(hypothesis, readings->cleaned, by, structure);
+  WhatRemains remains = whatRemainsAtAnyLength(*readings, by, structure, *searches);
   out.findings = std::move(remains.findings);
   sayOwnErrors(fitted.own, out);
   sayAlignment(fitted.aligned, hypothesis.signals.clockAlignmentStd.value_or(0.0), out);
-  addSeen(*readings, *found, fitted.causes, out);
+  addSeen(*readings, found, fitted.causes, out);
   const std::optional<Structure> faint = addContacts(hypothesis, fitted.causes, remains.structure, out);
   std::ranges::move(fitted.causes, std::back_inserter(out.causes));
   sortByStrength(out.causes);
@@ -214,18 +271,37 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   giveVerdict(hypothesis, faint.value_or(remains.structure), out);
   if (out.verdict == Verdict::unexplained && (faint || !remains.seen)) dropBesideUnknown(out);
 
-  progress(0.93, heft::say("Estimating the payload again"));
-  if (auto error = estimateAgain(out, recording, readings->cleaned, robot, hypothesis, options.estimate,
-                                 Progress{progress.stop, {}}))
-    return *error;
-  progress(0.97, heft::say("Computing detection limits"));
+  progress(0.9, heft::say("Computing detection limits"));
   out.model = hypothesis.search.final.model;
   out.smallest = smallestVisible(hypothesis, out.causes, std::max(kNamed, out.threshold));
+  if (!searches->parts.empty()) addSmallest(searches->parts.front().found, out);
   setSeries(hypothesis, fitted, out.series);
+  // Of minutes, each of these is as large as all that an estimate needs.
+  searches->parts.clear();
+  hypothesis.bank = {};
+  Recording cleaned = std::move(readings->cleaned);
+  readings = Readings{};
+  progress(0.93, heft::say("Estimating the payload again"));
+  if (auto error = estimateAgain(out, recording, std::move(cleaned), robot, hypothesis, options.estimate, quiet))
+    return *error;
   putIntoWords(out);
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   progress(1.0, heft::say("Done"));
   return out;
+}
+
+}  // namespace
+
+Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options,
+                                 const Progress& progress) {
+  // Searches begin anew, and so would the bar.
+  double most = 0.0;
+  const Progress onward{progress.stop, [&](double fraction, std::string_view what) {
+                          most = std::max(most, fraction);
+                          progress(most, what);
+                          stopPoint();
+                        }};
+  return stoppable(progress.stop, [&] { return diagnosed(recording, robot, options, onward); });
 }
 
 }  // namespace heft

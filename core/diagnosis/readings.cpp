@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/say.h"
+#include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/correction/corrected.h"
@@ -48,15 +49,14 @@ Runs aroundLeaps(const Recording& recording) {
 
 /// Undoes the mistake in the recordings, and learns what is told of it: how much it left over, and a mount's turn to a
 /// fraction of a degree.
-std::optional<Error> putRight(Readings& readings, const RobotModel* robot, const DiagnoseOptions& options) {
+std::optional<Error> putRight(const Recording& recording, Readings& readings, const RobotModel* robot,
+                              const DiagnoseOptions& options) {
   FrameMistake& mistake = *readings.mistake;
   MotionOptions smoothing;
   smoothing.cutoffHz = kDefaultCutoffHz;
   smoothing.twicing = true;
   const Recording cleaned = readings.cleaned;
-  const auto wayIn = [&](const Recording& recording) {
-    return smoothingCandidateOf(recording, recording, robot, smoothing, options, {});
-  };
+  const auto wayIn = [&](const Recording& of) { return smoothingCandidateOf(of, of, robot, smoothing, options, {}); };
   if (const auto stated = wayIn(cleaned)) {
     const auto stretches = stretchesOf(stated->signals.usable);
     if (!stretches.empty())
@@ -71,7 +71,7 @@ std::optional<Error> putRight(Readings& readings, const RobotModel* robot, const
       refineTurn(mistake, candidate->signals, untouched(candidate->signals, *candidate));
     }
   }
-  auto stated = undone(std::move(readings.stated), robot, mistake);
+  auto stated = undone(recording, robot, mistake);
   if (!stated) return stated.error();
   auto right = undone(cleaned, robot, mistake);
   if (!right) return right.error();
@@ -109,7 +109,8 @@ bool Readings::have(std::string_view cause) const {
 }
 
 Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options,
-                            bool asStated) {
+                            const Progress& progress, bool asStated) {
+  progress(0.02, heft::say("Checking individual readings"));
   RowFacts facts = rowFactsOf(recording);
   if (const auto channel = stuckChannel(facts.coarse))
     return Error{
@@ -122,21 +123,26 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   if (facts.stamps && !isHidden(options, ids::jitter)) out.cleaned.time = facts.stamps->even;
   refresh(out.cleaned, recording, facts.stale, facts.held);
   bridge(out.cleaned, facts.held, facts.motionHeld);
+  progress(0.04, heft::say("Computing the motion"));
   MotionOptions smoothing;
   smoothing.cutoffHz = kDefaultCutoffHz;
   auto motion = motionOf(out.cleaned, robot, smoothing);
   if (!motion) return motion.error();
-  out.stated = recording;
+  progress(0.05, heft::say("Looking at conventions"));
   if (!asStated)
     out.mistake = frameMistake(out.cleaned, *motion, conventions::check(conventions::questionOf(out.cleaned, *motion)));
   if (out.mistake) {
-    if (auto error = putRight(out, robot, options)) return *error;
+    if (auto error = putRight(recording, out, robot, options)) return *error;
     motion = motionOf(out.cleaned, robot, smoothing);
     if (!motion) return motion.error();
   }
+  progress(0.07, heft::say("Checking individual readings"));
   out.motion = std::move(*motion);
-  out.directs = sampleTests(out.stated, out.motion, facts);
-  out.stuckBits = stuckBits(out.stated);
+  const Recording& stated = out.asRead(recording);
+  out.directs = sampleTests(stated, out.motion, facts);
+  stopPoint();
+  out.stuckBits = stuckBits(stated);
+  stopPoint();
   if (out.stuckBits.empty() && !out.have(ids::spikes)) out.leaps = facts.spikes;
   if (facts.deadBands.empty()) out.frozen = frozenChannel(recording, facts.tops, facts.coarse.steps);
   std::erase_if(out.directs, [&](const Direct& d) {

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/diagnosis/data_quality/dead_band.h"
 #include "core/diagnosis/data_quality/sample_tests.h"
@@ -19,7 +20,7 @@ namespace heft::diagnosis {
 /// What single readings say, and the recording without what they spoil.
 struct Readings {
   std::optional<FrameMistake> mistake;  ///< Put right before anything else is made of the readings
-  Recording stated;                     ///< The recording without it
+  Recording stated;                     ///< The recording without it, where there is one
   Recording cleaned;
   Motion motion;
   std::vector<Direct> directs;
@@ -31,6 +32,8 @@ struct Readings {
   Eigen::Index leaps = 0;  ///< Rows that leap and are neither spikes nor of a stuck bit
   bool cutsMost = false;   ///< Readings are cut off flat most of the time: those rows are judged, too
 
+  /// The `recording` that this was told of, without a mistake.
+  const Recording& asRead(const Recording& recording) const { return mistake ? stated : recording; }
   /// Whether a test of single readings found this cause.
   bool have(std::string_view cause) const;
 };
@@ -40,6 +43,6 @@ bool isHidden(const DiagnoseOptions& options, std::string_view id);
 
 /// `asStated`: whatever the conventions are.
 Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options,
-                            bool asStated = false);
+                            const Progress& progress, bool asStated = false);
 
 }  // namespace heft::diagnosis

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/base/say.h"
 #include "core/diagnosis/artefacts/made_by_motion.h"
 #include "core/diagnosis/artefacts/sharp_motion.h"
 #include "core/diagnosis/calibration.h"
@@ -41,6 +43,8 @@ constexpr std::array<Smoothing, 8> kSmoothings{{{-1.0, {.cutoffHz = 55.0, .twici
                                                 {3.0, {.cutoffHz = 12.0}},
                                                 {4.0, {.cutoffHz = 8.5}},
                                                 {5.0, {.cutoffHz = 6.0}}}};
+// Of a whole that takes minutes: hands move a tool by less than 5 Hz, and what is faster shows in a part of it.
+constexpr double kCoarseHz = 100.0, kCoarseBlocksHz = 10.0;
 // Too noisy to judge anything on, but a knock at the arm is there as it was.
 constexpr MotionOptions kSharper{.cutoffHz = 110.0, .twicing = true};
 
@@ -57,6 +61,30 @@ class SmoothingSearch {
       for (const std::string_view swings : {ids::looseMass, ids::flexibleMount}) hide(swings);
   }
 
+  /// On all of a recording of which a part has been searched.
+  Result<Searched> runOnWhole(const Searched& part) {
+    coarse_ = true;
+    // What denoising takes is too fast for coarse blocks.
+    at_ = kSmoothings[part.at].options.denoise ? kUsualSmoothing : part.at;
+    if (auto error = smoothAll()) return *error;
+    Searched out;
+    const Signals& seen = part.hypothesis.signals;
+    SmoothingCandidate& candidate = candidates_[at_];
+    candidate.signals.noisyMotion = seen.noisyMotion;
+    candidate.signals.smoothedAway = seen.smoothedAway * candidate.signals.duration() / seen.duration();
+    out.noisy = part.noisy;
+    out.threshold = part.threshold;
+    out.chance = part.chance;
+    if (out.noisy) hide(ids::derivativeNoise);
+    auto found = searchedOn(at_, part.threshold);
+    if (!found) return found.error();
+    found->motionArtefacts = part.hypothesis.motionArtefacts;
+    finish(std::move(*found), out);
+    out.at = part.at;
+    out.cutoffHz = part.cutoffHz;
+    return out;
+  }
+
   Result<Searched> run() {
     if (auto error = smoothAll()) return *error;
     Searched out;
@@ -66,22 +94,37 @@ class SmoothingSearch {
     if (progress_.cancelled()) return Error{"Stopped.", true};
     if (options_.surrogates > 0 && !found->search.found.empty()) judgeChance(*found, out);
     if (progress_.cancelled()) return Error{"Stopped.", true};
-    out.hypothesis = std::move(*found);
-    out.cutoffHz = candidates_[at_].cutoffHz;
-    out.hypothesis.motionArtefacts = motionArtefacts(out.hypothesis, candidates_, at_);
-    if (!isHidden(options_, ids::flexibleMount)) setRingingAside(out.hypothesis, candidates_[kUsualSmoothing]);
+    found->motionArtefacts = motionArtefacts(*found, candidates_, at_);
+    finish(std::move(*found), out);
     return out;
   }
 
  private:
+  void finish(Hypothesis found, Searched& out) {
+    out.hypothesis = std::move(found);
+    out.cutoffHz = candidates_[at_].cutoffHz;
+    out.at = at_;
+    if (!isHidden(options_, ids::flexibleMount)) setRingingAside(out.hypothesis, candidates_[kUsualSmoothing]);
+  }
+
   void hide(std::string_view id) { options_.hidden.emplace_back(id); }
 
+  /// In coarse steps, those that smooth less than the one that suits and the next that smooths more; of all but it and
+  /// the usual one, what tells how sharp the motion is.
   std::optional<Error> smoothAll() {
-    std::array<std::optional<Result<SmoothingCandidate>>, kSmoothings.size() + 1> smoothed;
+    progress_(0.08, heft::say("Comparing ways to smooth the motion"));
+    const std::size_t most =
+        coarse_ ? std::min(std::max(at_, kUsualSmoothing) + 2, kSmoothings.size()) : kSmoothings.size();
+    std::vector<std::optional<Result<SmoothingCandidate>>> smoothed(most + 1);
     parallelFor(smoothed.size(), [&](std::size_t i) {
-      smoothed[i] =
-          smoothingCandidateOf(recording_, readings_.cleaned, robot_,
-                               i < kSmoothings.size() ? kSmoothings[i].options : kSharper, options_, readings_.bad);
+      MotionOptions smoothing = i < most ? kSmoothings[i].options : kSharper;
+      if (coarse_) {
+        smoothing.outputRateHz = kCoarseHz;
+        smoothing.denoise = false;
+      }
+      smoothed[i] = smoothingCandidateOf(recording_, readings_.cleaned, robot_, smoothing, options_, readings_.bad,
+                                         coarse_ ? kCoarseBlocksHz : kBlocksHz);
+      if (coarse_ && *smoothed[i] && i != at_ && i != kUsualSmoothing) keepPayloadMotion((*smoothed[i])->signals);
     });
     for (auto& candidate : smoothed) {
       if (!*candidate) return candidate->error();
@@ -116,6 +159,15 @@ class SmoothingSearch {
     }
     if (out.noisy && !out.noisy->plain) out.noisy.reset();
     if (out.noisy) hide(ids::derivativeNoise);
+  }
+
+  /// What payloadWrench() asks for.
+  static void keepPayloadMotion(Signals& signals) {
+    signals.R_BS = {};
+    signals.velocity.resize(3, 0);
+    signals.position.resize(3, 0);
+    signals.joints.reset();
+    signals.readings.resize(6, 0);
   }
 
   Result<Hypothesis> searchedOn(std::size_t i, double threshold, const StopsEarly& stopsEarly = {}) {
@@ -170,7 +222,9 @@ class SmoothingSearch {
     // Noise as the final model leaves it, around the motion and payload of the baseline.
     Fit base = found.search.null;
     base.noise = found.search.final.noise;
-    out.chance = surrogates(found.signals, found.stretches, base, bank, options_.surrogates, options_.seed, progress_);
+    const Progress drawing{progress_.stop,
+                           [this](double fraction, std::string_view what) { progress_(0.7 + 0.1 * fraction, what); }};
+    out.chance = surrogates(found.signals, found.stretches, base, bank, options_.surrogates, options_.seed, drawing);
     out.threshold = out.chance.threshold;
     if (std::ranges::none_of(found.search.found, [&](const Found& f) { return f.gain < out.threshold; })) return;
     if (auto again = searchedOn(at_, out.threshold)) found = std::move(*again);
@@ -183,6 +237,7 @@ class SmoothingSearch {
   const Progress& progress_;
   std::vector<SmoothingCandidate> candidates_;  ///< As kSmoothings
   std::size_t at_ = kUsualSmoothing;            ///< Of them, the one that suits
+  bool coarse_ = false;                         ///< A long recording as a whole
 };
 
 }  // namespace
@@ -192,26 +247,9 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   return SmoothingSearch(recording, readings, robot, options, progress).run();
 }
 
-void unlessCausesExplainMore(const Recording& recording, const RobotModel* robot, DiagnoseOptions options,
-                             const Progress& progress, Readings& readings, Searched& found) {
-  // Numbers in other units have another likelihood.
-  if (!readings.mistake || readings.mistake->has(conventions::Change::unit)) return;
-  auto stated = readingsOf(recording, robot, options, true);
-  if (!stated) return;
-  const int surrogates = std::exchange(options.surrogates, 0);
-  auto plain = searched(stated->stated, *stated, robot, options, progress);
-  if (!plain || !believable(plain->hypothesis.search.final)) return;
-  const auto perBlock = [](const Hypothesis& of) { return of.search.final.evidence / blocksIn(of.stretches); };
-  if ((perBlock(plain->hypothesis) - perBlock(found.hypothesis)) * blocksIn(found.hypothesis.stretches) <
-      kClearEvidence)
-    return;
-  if (surrogates > 0) {
-    options.surrogates = surrogates;
-    plain = searched(stated->stated, *stated, robot, options, progress);
-    if (!plain) return;
-  }
-  readings = std::move(*stated);
-  found = std::move(*plain);
+Result<Searched> searchedOnWhole(const Recording& recording, const Readings& readings, const RobotModel* robot,
+                                 const DiagnoseOptions& options, const Searched& part, const Progress& progress) {
+  return SmoothingSearch(recording, readings, robot, options, progress).runOnWhole(part);
 }
 
 }  // namespace heft::diagnosis

@@ -19,6 +19,7 @@ struct Searched {
   Surrogates chance;  ///< Empty where none were asked for, or nothing was found
   std::optional<NoisyMotion> noisy;
   double cutoffHz = 0.0;  ///< Of the smoothing of the motion
+  std::size_t at = 0;     ///< Which of the smoothings that is
 };
 
 /// Accelerations from coarse or late angles are noise above some frequency. Bias and payload alone tell where, unless a
@@ -26,9 +27,9 @@ struct Searched {
 Result<Searched> searched(const Recording& recording, const Readings& readings, const RobotModel* robot,
                           const DiagnoseOptions& options, const Progress& progress);
 
-/// What pulls at the tool hard may look like a sensor that is turned or a sign mixed up: where causes explain more
-/// without a mistake, there is none, and `readings` and `found` are those without it.
-void unlessCausesExplainMore(const Recording& recording, const RobotModel* robot, DiagnoseOptions options,
-                             const Progress& progress, Readings& readings, Searched& found);
+/// A long recording as a whole, at fewer instants and in coarser blocks, smoothed as `part` of it was found to need.
+/// How likely chance is, is known from there, too.
+Result<Searched> searchedOnWhole(const Recording& recording, const Readings& readings, const RobotModel* robot,
+                                 const DiagnoseOptions& options, const Searched& part, const Progress& progress);
 
 }  // namespace heft::diagnosis

@@ -258,6 +258,7 @@ Result<Prepared> prepareFor(const Recording& recording, const RobotModel* robot,
   const bool paperMethod = options.method != Method::map;
   if (paperMethod && recording.meta.kind != RecordingKind::poses)
     options.motion.outputRateHz = 0.0;  // they see every sample
+  options.motion.payloadOnly = true;
   return prepare(recording, robot, options, progress, true);
 }
 

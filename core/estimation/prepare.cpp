@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/base/remedy.h"
 #include "core/base/say.h"
+#include "core/base/stop.h"
 #include "core/estimation/spikes.h"
 #include "core/estimation/standstill.h"
 #include "core/estimation/swing.h"
@@ -127,6 +128,7 @@ Understanding asStated(const Recording& recording) {
   out.posesInFile = recording.hasOrientation();
   const bool poses = recording.meta.kind == RecordingKind::poses;
   if (!poses) out.trouble = sensorTrouble(recording);
+  stopPoint();
   if (!poses) out.held = heldValues(recording.time, recording.wrench);
   const double duration = poses ? static_cast<double>(recording.rows()) : recording.duration();
   out.steps = out.held.period > 0.0 ? readingSteps(recording.wrench(out.held.rows, Eigen::all), duration)
@@ -196,11 +198,20 @@ Finding accelerometerStands(const Vector3d& p_SoI_S) {
           {}};
 }
 
+/// Of what may still turn or move the sensor, all of the motion is needed.
+MotionOptions motionOptions(const Recording& recording, MotionOptions options, const Understanding& as) {
+  options.payloadOnly = options.payloadOnly && !as.reading && !recording.hasAccelerometer() &&
+                        (recording.hasPosition() || !recording.hasOrientation());
+  return options;
+}
+
 /// `ready`: the motion as stated, if it is known already.
 Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                                const Understanding& as, std::optional<Motion> ready = std::nullopt) {
-  auto motion = ready ? Result<Motion>(std::move(*ready)) : motionOf(recording, robot, options.motion);
+  auto motion = ready ? Result<Motion>(std::move(*ready))
+                      : motionOf(recording, robot, motionOptions(recording, options.motion, as));
   if (!motion) return motion.error();
+  stopPoint();
   Prepared out;
   out.motion = understood(std::move(*motion), as);
   out.cutoffHz = options.motion.smoothing == SmoothingKind::lowPass ? options.motion.cutoffHz : 0.0;
@@ -271,6 +282,8 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
          heft::say("The tool did not move."),
          heft::say("Tilt it in several directions: at rest, its weight and the sensor's bias cannot be separated."),
          {}});
+  if (motionOptions(recording, options.motion, as).payloadOnly) keepPayloadMotion(out.motion);
+  stopPoint();
   out.silent = options.silent;
   if (!as.reading) out.rounding = as.steps.roundingNoise(1.0 / out.blocks.rateHz);
   learnNoise(out, false);
@@ -305,7 +318,7 @@ std::optional<WrenchRows> noisierBlocks(const Recording& recording, const RobotM
   options.outputRateHz = MotionOptions{}.outputRateHz;
   auto noisier = noisierMotion(recording);
   if (!noisier) return std::nullopt;
-  auto motion = motionOf(*noisier, robot, options);
+  auto motion = motionOf(*noisier, robot, motionOptions(recording, options, as));
   noisier.reset();  // of an hour as large as all else
   if (!motion) return std::nullopt;
   return blocksOf(understood(std::move(*motion), as), recording, as.held);
@@ -331,7 +344,7 @@ FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const Es
   wide.cutoffHz = std::max(kDefaultCutoffHz, prepared.cutoffHz);
   const bool fixed = !widest;
   if (fixed && stride > 1) {
-    auto motion = motionOf(recording, robot, wide);
+    auto motion = motionOf(recording, robot, motionOptions(recording, wide, as));
     if (motion) widest = blocksOf(understood(std::move(*motion), as), recording, as.held);
   }
   // Rows of a motion that was moved to the sensor's origin (addSwing) have no others beside them.
@@ -401,12 +414,14 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     mended = recording;
     mended->wrench = std::move(wrench);
   }
+  stopPoint();
   StampScatter scatter;
   const auto even = evenTimes(recording, scatter);
   if (even) {
     if (!mended) mended = recording;
     mended->time = *even;
   }
+  stopPoint();
   const Recording& cleaned = mended ? *mended : recording;
   EstimateOptions trial = options;
   const auto silent = silentChannels(cleaned.wrench);
@@ -418,12 +433,15 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     trial.motion.cutoffHz = kDefaultCutoffHz;
     if (options.motion.outputRateHz <= 0.0) trial.motion.outputRateHz = MotionOptions{}.outputRateHz;
   }
+  stopPoint();
   const Understanding stated = asStated(cleaned);
   Understanding as = stated;
   std::optional<conventions::Report> report;
   std::optional<Motion> first;
   if (checkConventions) {
-    auto motion = motionOf(cleaned, robot, trial.motion);
+    MotionOptions whole = trial.motion;
+    whole.payloadOnly = false;
+    auto motion = motionOf(cleaned, robot, whole);
     if (!motion) return motion.error();
     first = std::move(*motion);
     report = checkConventionsOf(recording, *first, options.conventions, as);

@@ -8,6 +8,7 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/math/periodogram.h"
 #include "core/math/statistics.h"
 
@@ -46,6 +47,7 @@ Denoiser::Denoiser(const Channels& signal, double rateHz) : rateHz_(rateHz) {
   double windows = 0.0;
   std::vector<std::vector<double>> high(static_cast<std::size_t>(x.rows()));
   for (Eigen::Index from = 0; from + length <= x.cols(); from += length / 2) {
+    stopPoint();
     const MatrixXd power = taperedPower(x.middleCols(from, length), kLines) * white.cwiseInverse().asDiagonal();
     mean += power;
     windows += 1.0;
@@ -77,6 +79,7 @@ void Denoiser::apply(Channels& signal) const {
     const double first = signal(0, c), slope = (signal(n - 1, c) - first) / static_cast<double>(n - 1);
     const auto line = [&](Eigen::Index i) { return first + slope * static_cast<double>(i); };
     for (Eigen::Index i = 0; i < size; ++i) samples[static_cast<std::size_t>(i)] = i < n ? signal(i, c) - line(i) : 0.0;
+    stopPoint();
     transform.fwd(spectrum, samples);
     for (Eigen::Index i = 0; i < size; ++i) {
       const double at = kWindow * rateHz_ * static_cast<double>(std::min(i, size - i)) / static_cast<double>(size);

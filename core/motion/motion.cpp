@@ -8,6 +8,7 @@
 
 #include "core/base/remedy.h"
 #include "core/base/say.h"
+#include "core/base/stop.h"
 #include "core/math/statistics.h"
 #include "core/motion/denoiser.h"
 #include "core/motion/inertial_witness.h"
@@ -161,6 +162,7 @@ class Smoother {
       const Eigen::Index to = output_.size - from < instants + instants / 2 ? output_.size : from + instants;
       const Eigen::Index first = std::max<Eigen::Index>(0, output_.first + from * output_.stride - reach);
       const Eigen::Index last = std::min(signal.grid.size, output_.first + (to - 1) * output_.stride + reach + 1);
+      stopPoint();
       const Channels part = signal.rows(first, to == output_.size ? signal.grid.size : last);
       const Eigen::Index before = first == 0 ? pad : 0, after = first + part.rows() == signal.grid.size ? pad : 0;
       work(part, padded(part, before, after), first - before, from, to);
@@ -173,10 +175,12 @@ class Smoother {
     if (twicing_) taken = work;
     filterForwardBackward(sections_, work);
     if (twicing_) {
+      stopPoint();
       taken -= work;
       filterForwardBackward(sections_, taken);
       work += taken;
     }
+    stopPoint();
     if (!denoise_) return;
     const Denoiser denoiser(part, rate_);
     denoiser.apply(work);
@@ -211,6 +215,7 @@ VectorXd sampleNoise(const Gridded& signal) {
   // A median would be zero for coarsely quantised channels that mostly repeat.
   VectorXd sum = VectorXd::Zero(signal.channels());
   for (Eigen::Index from = 0; from + 2 < signal.grid.size; from += kStretchRows) {
+    stopPoint();
     const Channels part = signal.rows(from, std::min(signal.grid.size, from + kStretchRows + 2));
     for (Eigen::Index i = 2; i < part.rows(); ++i)
       sum += (part.row(i) - 2.0 * part.row(i - 1) + part.row(i - 2)).cwiseAbs2().transpose();
@@ -251,18 +256,19 @@ Derivatives withReportedVelocity(Smoother& smoother, const Gridded& positions, c
   return fromPositions;
 }
 
-void resizeMotion(Motion& motion, Eigen::Index size) {
-  for (auto* series : {&motion.specificForce, &motion.omega, &motion.alpha, &motion.velocity, &motion.position})
-    series->setZero(3, size);
-  motion.R_BS.resize(static_cast<std::size_t>(size));
+void resizeMotion(Motion& motion, Eigen::Index size, bool payloadOnly = false) {
+  for (auto* series : {&motion.specificForce, &motion.omega, &motion.alpha}) series->setZero(3, size);
+  for (auto* series : {&motion.velocity, &motion.position}) series->setZero(3, payloadOnly ? 0 : size);
+  motion.R_BS.resize(static_cast<std::size_t>(payloadOnly ? 0 : size));
 }
 
 void setSample(Motion& motion, Eigen::Index k, const FrameMotion& frame, const Vector3d& gravity) {
   const Matrix3d R = frame.X_BS.linear();
-  motion.R_BS[static_cast<std::size_t>(k)] = R;
   motion.specificForce.col(k) = R.transpose() * (frame.a_BSo_B - gravity);
   motion.omega.col(k) = R.transpose() * frame.w_BS_B;
   motion.alpha.col(k) = R.transpose() * frame.alpha_BS_B;
+  if (motion.R_BS.empty()) return;
+  motion.R_BS[static_cast<std::size_t>(k)] = R;
   motion.velocity.col(k) = frame.v_BSo_B;
   motion.position.col(k) = frame.X_BS.translation();
 }
@@ -284,11 +290,14 @@ Result<bool> fromJoints(const Recording& recording, const RobotModel* robot, Smo
   const Isometry3d X_LS = poseFromXyzRpy(recording.meta.mount.xyz, recording.meta.mount.rpy);
   const Derivatives d = withReportedVelocity(smoother, {grid, recording.time, recording.q},
                                              {grid, recording.time, recording.dq}, heft::say("joint"), motion.findings);
-  motion.q = d.value.transpose();
-  motion.dq = d.first.transpose();
-  motion.ddq = d.second.transpose();
+  if (!motion.R_BS.empty()) {
+    motion.q = d.value.transpose();
+    motion.dq = d.first.transpose();
+    motion.ddq = d.second.transpose();
+  }
   VectorXd qk, dqk, ddqk;
   for (Eigen::Index k = 0; k < motion.size(); ++k) {
+    if (k % kRowsBetweenStops == 0) stopPoint();
     qk = d.value.row(k).transpose();
     dqk = d.first.row(k).transpose();
     ddqk = d.second.row(k).transpose();
@@ -311,6 +320,7 @@ void fromPoses(const Recording& recording, Smoother& smoother, const UniformGrid
                                        motion.findings);
   }
   for (Eigen::Index k = 0; k < motion.size(); ++k) {
+    if (k % kRowsBetweenStops == 0) stopPoint();
     FrameMotion frame;
     const double norm = rotation.value.row(k).norm();
     const auto component = [&](const Channels& c) {
@@ -357,6 +367,12 @@ void requireSensorAxes(const Recording& recording) {
 }
 
 }  // namespace
+
+void keepPayloadMotion(Motion& motion) {
+  motion.R_BS = {};
+  for (auto* series : {&motion.velocity, &motion.position}) series->resize(3, 0);
+  for (auto* series : {&motion.q, &motion.dq, &motion.ddq}) series->resize(0, 0);
+}
 
 Result<RobotModel> robotFor(const RecordingMeta& meta, Findings& findings) {
   if (!meta.robot) return Error{heft::say("The recording names no robot.")};
@@ -424,7 +440,7 @@ Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, con
   Motion motion;
   motion.rateHz = grid.rateHz / smoother.output().stride;
   motion.startTime = grid.start + static_cast<double>(smoother.output().first) / grid.rateHz;
-  resizeMotion(motion, smoother.output().size);
+  resizeMotion(motion, smoother.output().size, options.payloadOnly);
   // Poses are what S really did; joints only imply it through a robot model that may not be the right one.
   if (recording.hasOrientation()) {
     fromPoses(recording, smoother, grid, motion);

@@ -27,6 +27,8 @@ struct MotionOptions {
   bool denoise = false;
   int order = 3;    ///< savitzkyGolay: polynomial order
   int window = 11;  ///< savitzkyGolay: samples; an even window is widened by one (the paper's ten becomes 11).
+  /// Motion::R_BS, velocity, position and joints stay empty: a payload's wrench does not depend on them.
+  bool payloadOnly = false;
   double outputRateHz = 200.0;  ///< The motion is evaluated at this rate at most (0: every sample of the grid).
 };
 
@@ -53,6 +55,9 @@ struct Motion {
   Eigen::Index size() const { return omega.cols(); }
   double time(Eigen::Index k) const { return startTime + static_cast<double>(k) / rateHz; }
 };
+
+/// As of MotionOptions::payloadOnly.
+void keepPayloadMotion(Motion& motion);
 
 /// The robot and frame that a recording's joints refer to, resolved from its meta ("panda", a URDF, or none needed).
 Result<RobotModel> robotFor(const RecordingMeta& meta, Findings& findings);

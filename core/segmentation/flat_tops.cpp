@@ -1,4 +1,5 @@
 #include "core/segmentation/flat_tops.h"
+#include "core/base/stop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +87,7 @@ std::vector<FlatTop> flatTops(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wr
     if (!wrench.row(i).isZero(0.0) && (i == 0 || wrench.row(i) != wrench.row(i - 1))) fresh.push_back(i);
   if (fresh.size() < 20) return out;
   for (int c = 0; c < 6; ++c) {
+    stopPoint();
     std::vector<double> values;
     for (const Eigen::Index i : fresh) values.push_back(wrench(i, c));
     if (hasFewLevels(values)) continue;

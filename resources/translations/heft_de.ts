@@ -9840,6 +9840,10 @@ Rauschen %3</translation>
         <source>The estimated inertia is {:.0f} % off the known one, far outside its interval.</source>
         <translation>Die bestimmte Trägheit weicht um {:.0f} % von der bekannten ab, weit außerhalb ihres Bereichs.</translation>
     </message>
+    <message>
+        <source>Comparing with the conventions as stated</source>
+        <translation>Vergleich mit den Konventionen, wie sie angegeben sind</translation>
+    </message>
 </context>
 <context>
     <name>heft::CarriedObjects</name>

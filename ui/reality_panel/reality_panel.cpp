@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "core/base/json_file.h"
+#include "core/base/stop.h"
 #include "core/diagnosis/correction/check_on_other.h"
 #include "core/diagnosis/report/report.h"
 #include "core/diagnosis/wording/cable_force.h"
@@ -56,7 +57,7 @@ struct Looked {
   std::string json;
 };
 
-Result<Looked> lookAt(const Snapshot& now, const Progress& progress) {
+Result<Looked> lookedAt(const Snapshot& now, const Progress& progress) {
   const Recording recording = now.recording();
   DiagnoseOptions options;
   options.estimate = now.options;
@@ -70,6 +71,10 @@ Result<Looked> lookAt(const Snapshot& now, const Progress& progress) {
   out.json = toJson(*report).dump();
   out.report = std::make_shared<const DiagnosisReport>(std::move(*report));
   return out;
+}
+
+Result<Looked> lookAt(const Snapshot& now, const Progress& progress) {
+  return stoppable(progress.stop, [&] { return lookedAt(now, progress); });
 }
 
 bool sameMarks(const std::vector<Mark>& a, const std::vector<Mark>& b) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/base/say.h"
@@ -92,8 +93,8 @@ bool predictsBetter(const EstimateReport& is, const EstimateReport& was) {
 }
 
 /// The recording as the sensor and the robot would have told it without the causes.
-Result<Recording> freed(const Recording& cleaned, const RobotModel* robot, const Hypothesis& hypothesis) {
-  Recording out = cleaned;
+Result<Recording> freed(Recording cleaned, const RobotModel* robot, const Hypothesis& hypothesis) {
+  Recording out = std::move(cleaned);
   if (!hypothesis.search.final.model.terms.empty()) {
     auto effect = effectOf(hypothesis.search.final.model, out, robot);
     if (!effect) return effect.error();
@@ -127,16 +128,16 @@ bool mountTurns(const nlohmann::json& metaChanges) {
 
 }  // namespace
 
-std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& recording, const Recording& cleaned,
+std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& recording, Recording cleaned,
                                    const RobotModel* robot, const Hypothesis& hypothesis,
                                    const EstimateOptions& options, const Progress& progress) {
   std::optional<Result<EstimateReport>> was, is;
   std::optional<Error> notFreed;
-  parallelFor(2, [&](std::size_t i) {
+  const auto estimateOne = [&](std::size_t i) {
     if (i == 0) {
       was = estimate(recording, robot, options, progress);
     } else if (!report.causes.empty()) {
-      const auto clean = freed(cleaned, robot, hypothesis);
+      const auto clean = freed(std::move(cleaned), robot, hypothesis);
       EstimateOptions same = options;
       same.silent = silentChannels(recording.wrench);
       if (clean)
@@ -144,7 +145,16 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
       else
         notFreed = clean.error();
     }
-  });
+  };
+  constexpr Eigen::Index kMany =
+      Eigen::Index{200} * 1000;  // Rows, of which both at once would take several hundred megabytes
+  if (report.causes.empty()) cleaned = {};
+  if (recording.rows() < kMany) {
+    parallelFor(2, estimateOne);
+  } else {
+    estimateOne(1);
+    estimateOne(0);
+  }
   if (!*was) return was->error();
   if (notFreed) return notFreed;
   report.before = std::move(**was);

@@ -10,7 +10,7 @@ namespace heft::diagnosis {
 /// Fills report.before and report.after, and says so where the causes make the payload no better; where they make it
 /// impossible the verdict becomes "unexplained". `cleaned`: the recording without what the tests of single readings
 /// removed. An error as of estimate().
-std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& recording, const Recording& cleaned,
+std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& recording, Recording cleaned,
                                    const RobotModel* robot, const Hypothesis& hypothesis,
                                    const EstimateOptions& options, const Progress& progress);
 

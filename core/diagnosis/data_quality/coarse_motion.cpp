@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
 #include "core/math/statistics.h"
 #include "core/recording/steps.h"
@@ -52,8 +53,10 @@ double cornersEvery(const MatrixXd& columns, double rateHz) {
 /// The coarsest step of a few columns; 0 where none is regular.
 double coarsestOf(const MatrixXd& columns) {
   double out = 0.0;
-  for (Eigen::Index c = 0; c < columns.cols(); ++c)
+  for (Eigen::Index c = 0; c < columns.cols(); ++c) {
+    stopPoint();
     out = std::max(out, stepOf({columns.col(c).begin(), columns.col(c).end()}).value_or(0.0));
+  }
   return out;
 }
 

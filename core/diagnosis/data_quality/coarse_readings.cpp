@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
 #include "core/math/statistics.h"
 #include "core/recording/frozen.h"
@@ -55,6 +56,7 @@ CoarseReadings coarseReadings(const Recording& recording) {
   for (Eigen::Index c = 0; c < 6; ++c) steps(c) = ownStep(recording, c);
   const std::array<double, 2> coarsest{steps.head<3>().maxCoeff(), steps.tail<3>().maxCoeff()};
   for (Eigen::Index c = 0; c < 6; ++c) {
+    stopPoint();
     const double step = coarsest[static_cast<std::size_t>(c / 3)];
     if (steps(c) > 0.0 || step <= 0.0 || !out.silent[static_cast<std::size_t>(c)]) continue;
     const auto y = recording.wrench.col(c);

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
 #include "core/math/statistics.h"
 #include "core/motion/resample.h"
@@ -138,6 +139,7 @@ Runs replayedRuns(const Recording& recording) {
     fresh = 0;
   };
   for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    if (i % kRowsBetweenStops == 0) stopPoint();
     std::array<double, 6> reading;
     for (std::size_t c = 0; c < 6; ++c) reading[c] = recording.wrench(i, static_cast<Eigen::Index>(c));
     const auto [known, isNew] = last.try_emplace(reading, i);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/data_quality/between_rows.h"
@@ -53,6 +54,7 @@ class Comparison {
   bool enough() const { return static_cast<double>(compared_.size()) > 2.0 * kLongest * rateHz_ + 50.0; }
 
   Match at(const Reporting& reporting, double lag) const {
+    stopPoint();
     const MatrixXd said = reporting(q_, slope_, lag, rateHz_);
     const MatrixXd x = inCompared(said), r = inCompared(reported_);
     Match out;

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/data_quality/clipping.h"
@@ -162,19 +163,29 @@ std::optional<Direct> dropouts(const Recording& recording, const RowFacts& facts
 RowFacts rowFactsOf(const Recording& recording) {
   RowFacts out;
   out.stamps = unevenStamps(recording);
+  stopPoint();
   out.tops = flatTops(recording.wrench);
+  stopPoint();
   out.deadBands = deadBands(recording);
+  stopPoint();
   out.coarse = coarseReadings(recording);
+  stopPoint();
   out.held = heldRows(recording);
+  stopPoint();
   out.stale = staleRuns(recording);
+  stopPoint();
   out.replayed = replayedRuns(recording);
+  stopPoint();
   out.motionHeld = motionHolds(recording);
+  stopPoint();
   const WrenchSamples raw = withoutZeros(recording, out.deadBands);
   WrenchSamples cleaned = withoutSpikes(raw, out.spikes);
   if (out.spikes > 0) out.loneSpikes = loneSpikes(raw, cleaned);
   Unclipped clipping = unclipped(std::move(cleaned), out.tops, recording.rateHz());
   out.lost = std::move(clipping.lost);
+  stopPoint();
   out.restored = std::move(clipping.wrench);
+  stopPoint();
   spreadWithinSteps(recording, out.coarse, out.restored);
   return out;
 }
@@ -183,10 +194,13 @@ std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion
   std::vector<Direct> out;
   if (auto found = saturation(recording, facts.tops, facts.lost)) out.push_back(std::move(*found));
   if (facts.stamps) out.push_back(jitter(*facts.stamps));
+  stopPoint();
   if (auto found = dropouts(recording, facts)) out.push_back(std::move(*found));
   if (auto found = quantisation(facts.coarse.steps)) out.push_back(std::move(*found));
   if (auto found = spikes(facts, recording.rows())) out.push_back(std::move(*found));
+  stopPoint();
   const auto rough = coarse(recording);
+  stopPoint();
   for (auto& found : reportedVelocities(recording, motion)) {
     // What does not agree with coarse positions may well be right.
     if (!rough) out.push_back(std::move(found));

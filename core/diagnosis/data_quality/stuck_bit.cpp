@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
 #include "core/math/statistics.h"
 
@@ -37,6 +38,7 @@ std::vector<Gap> gapsIn(const std::vector<double>& ordered) {
 std::vector<StuckBit> stuckBits(const Recording& recording) {
   std::vector<StuckBit> out;
   for (Eigen::Index c = 0; c < 6; ++c) {
+    stopPoint();
     const auto ordered = usualOnes({recording.wrench.col(c).begin(), recording.wrench.col(c).end()});
     if (ordered.empty()) continue;
     const auto gaps = gapsIn(ordered);

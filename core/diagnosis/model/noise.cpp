@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
 
 namespace heft::diagnosis {
@@ -20,6 +21,7 @@ Noise fittedEven(const Wrenches& residual, const std::vector<Stretch>& stretches
   Noise out;
   Vector6d counts;
   for (int c = 0; c < 6; ++c) {
+    stopPoint();
     AutoCovariance sums(maxOrder);
     double power = 0.0, count = 0.0;
     for (const auto& s : stretches) {
@@ -140,6 +142,7 @@ MatrixXd even(const MatrixXd& columns, const Noise& noise) {
 
 void innovate(const Eigen::Ref<const VectorXd>& x, const Noise& noise, std::size_t channel,
               const std::vector<Stretch>& stretches, Eigen::Index first, Eigen::Ref<VectorXd> out) {
+  stopPoint();
   const ArModel& model = noise.channels[channel];
   const double scale = 1.0 / model.sigma;
   const Eigen::Index order = model.order();

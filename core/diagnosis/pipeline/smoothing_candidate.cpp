@@ -31,15 +31,16 @@ Motion motionIn(const Signals& signals) {
 
 /// Contiguous blocks that automatic segmentation takes for contact.
 std::vector<Stretch> contactCandidates(const Recording& recording, const Signals& signals) {
-  const auto rows = rowsOf(motionIn(signals), 50.0);
+  const auto rows = rowsOf(motionIn(signals), kBlocksHz);
   const Segmentation segmentation = segmentRows(recording, rows, SegmentMode::automatic);
+  const double half = 0.5 / (signals.blockRate() > 0.5 * kBlocksHz ? kBlocksHz : signals.blockRate());
   std::vector<Stretch> out;
   for (const auto& segment : segmentation.segments) {
     if (segment.kind != SegmentKind::contact) continue;
     // Readings that are not to be trusted are no contact: what is left of it on either side is judged by itself.
     bool goesOn = false;
     for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
-      const bool in = signals.blockTime(n) >= segment.from - 0.01 && signals.blockTime(n) <= segment.to + 0.01 &&
+      const bool in = signals.blockTime(n) >= segment.from - half && signals.blockTime(n) <= segment.to + half &&
                       signals.usable[static_cast<std::size_t>(n)];
       if (in && !goesOn) out.push_back({n, n});
       if (in) out.back().to = n + 1;
@@ -53,11 +54,12 @@ std::vector<Stretch> contactCandidates(const Recording& recording, const Signals
 
 Result<SmoothingCandidate> smoothingCandidateOf(const Recording& recording, const Recording& cleaned,
                                                 const RobotModel* robot, const MotionOptions& smoothing,
-                                                const DiagnoseOptions& options, const std::vector<bool>& badRows) {
+                                                const DiagnoseOptions& options, const std::vector<bool>& badRows,
+                                                double blocksHz) {
   auto motion = motionOf(cleaned, robot, smoothing);
   if (!motion) return motion.error();
   const double keptHz = motion->keptHz;
-  SmoothingCandidate out{signalsOf(cleaned, std::move(*motion), robot), smoothing.cutoffHz, {}, {}};
+  SmoothingCandidate out{signalsOf(cleaned, std::move(*motion), robot, blocksHz), smoothing.cutoffHz, {}, {}};
   Signals& signals = out.signals;
   if (smoothing.denoise)
     signals.keptHz = keptHz;
@@ -68,7 +70,7 @@ Result<SmoothingCandidate> smoothingCandidateOf(const Recording& recording, cons
   const double edge = smoothing.denoise ? 0.5 : std::max(0.3, 3.0 / smoothing.cutoffHz);
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
   std::vector<MarkLabel> labels(static_cast<std::size_t>(signals.blocks()), MarkLabel::free);
-  if (mode != SegmentMode::automatic) labels = segmentRows(cleaned, rowsOf(motionIn(signals), 50.0), mode).labels;
+  if (mode != SegmentMode::automatic) labels = segmentRows(cleaned, rowsOf(motionIn(signals), blocksHz), mode).labels;
   // Contact is looked for where nobody said anything; what was marked is left out as it was marked.
   const auto leftOut = [&](double t) {
     return mode == SegmentMode::automatic && markedAt(recording, t).value_or(MarkLabel::free) != MarkLabel::free;

@@ -24,9 +24,11 @@ constexpr std::size_t kUsualSmoothing = 1;
 
 /// `cleaned`: `recording` without what the tests of single readings removed; `badRows` (one a row, or none) are not
 /// judged.
+/// `blocksHz`: as for signalsOf().
 Result<SmoothingCandidate> smoothingCandidateOf(const Recording& recording, const Recording& cleaned,
                                                 const RobotModel* robot, const MotionOptions& smoothing,
-                                                const DiagnoseOptions& options, const std::vector<bool>& badRows);
+                                                const DiagnoseOptions& options, const std::vector<bool>& badRows,
+                                                double blocksHz = kBlocksHz);
 
 /// Fills `way.holes` the first time that it is asked: none where marks decide or contact is hidden.
 void lookForContact(SmoothingCandidate& candidate, const Recording& cleaned, const DiagnoseOptions& options);

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
 #include "core/diagnosis/signals/sensor_range.h"
 
@@ -17,7 +18,7 @@ double leftByNoise(const Signals& signals) { return std::min(kOverwhelming, kEve
 
 const MatrixXd Signals::kNoJoints;
 
-Signals signalsOf(const Recording& recording, Motion motion, const RobotModel* robot) {
+Signals signalsOf(const Recording& recording, Motion motion, const RobotModel* robot, double blocksHz) {
   Signals out;
   out.startTime = motion.startTime;
   out.rateHz = motion.rateHz;
@@ -39,7 +40,7 @@ Signals signalsOf(const Recording& recording, Motion motion, const RobotModel* r
   out.R_BS = std::move(motion.R_BS);
   out.velocity = std::move(motion.velocity);
   out.position = std::move(motion.position);
-  out.samplesPerBlock = std::max(1, static_cast<int>(std::lround(motion.rateHz / 50.0)));
+  out.samplesPerBlock = std::max(1, static_cast<int>(std::lround(motion.rateHz / blocksHz)));
   out.readings = motion.wrench;
   out.measured = averaged(out, out.readings);
   out.usable.assign(static_cast<std::size_t>(out.blocks()), true);
@@ -78,6 +79,7 @@ Kinematics kinematicsOf(const Signals& signals, const MatrixXd& q, const MatrixX
   out.alpha.resize(3, n);
   auto axes = std::make_shared<std::vector<Matrix3d>>(static_cast<std::size_t>(n));
   for (Eigen::Index k = 0; k < n; ++k) {
+    if (k % kRowsBetweenStops == 0) stopPoint();
     const FrameMotion frame = signals.robot->frameMotion(signals.link, signals.X_LS, q.col(k), dq.col(k), ddq.col(k));
     const Matrix3d R = frame.X_BS.linear();
     (*axes)[static_cast<std::size_t>(k)] = R;
@@ -90,6 +92,7 @@ Kinematics kinematicsOf(const Signals& signals, const MatrixXd& q, const MatrixX
 }
 
 Wrenches averaged(const Signals& signals, const Wrenches& wrench) {
+  stopPoint();
   const int m = signals.samplesPerBlock;
   Wrenches out(6, wrench.cols() / m);
   for (Eigen::Index n = 0; n < out.cols(); ++n) {

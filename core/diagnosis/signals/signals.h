@@ -89,8 +89,11 @@ struct Signals {
 /// what was true 35 % and more, one 4 % at 611.
 double leftByNoise(const Signals& signals);
 
+/// [Hz] Blocks that a recording is judged on.
+constexpr double kBlocksHz = 50.0;
+
 /// Signals of a recording whose motion has been worked out. `robot` must outlive them; null without joints.
-Signals signalsOf(const Recording& recording, Motion motion, const RobotModel* robot);
+Signals signalsOf(const Recording& recording, Motion motion, const RobotModel* robot, double blocksHz = kBlocksHz);
 
 /// The blocks [from, to) as if nothing else had been recorded, without joints and what smoothing took.
 Signals partOf(const Signals& signals, Eigen::Index from, Eigen::Index to);

@@ -348,7 +348,7 @@ constexpr std::array kUnknowns{Unknown{If::aboveSteps, Weighs::ifNothingElse, su
 
 bool isAsked(const Unknown& unknown, const ByReadings& by, double gain) {
   if (unknown.asked == If::aboveSteps && by.withinSteps) return false;
-  if (unknown.asked == If::readingsRight && by.known) return false;
+  if (unknown.asked == If::readingsRight && (by.known || by.coarse)) return false;
   return unknown.weighs != Weighs::ifNothingElse || gain <= kUnexplained;
 }
 

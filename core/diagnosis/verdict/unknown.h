@@ -14,6 +14,7 @@ namespace heft::diagnosis {
 /// What single readings tell.
 struct ByReadings {
   bool known = false;        ///< Something is wrong with them
+  bool coarse = false;       ///< Blocks are too long for what is fast: that is asked of a part of the recording
   bool withinSteps = false;  ///< No more is left over than their steps make of themselves
   std::vector<DeadBand> deadBands = {};
   std::vector<StuckBit> stuckBits = {};
