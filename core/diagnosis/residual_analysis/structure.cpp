@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <optional>
 #include <random>
 
@@ -16,6 +15,7 @@
 #include "core/diagnosis/calibration.h"
 #include "core/diagnosis/residual_analysis/band_excess.h"
 #include "core/diagnosis/residual_analysis/periodic.h"
+#include "core/math/cosine_transform.h"
 
 namespace heft::diagnosis {
 
@@ -181,32 +181,18 @@ MatrixXd columnsOf(const Group& group, const Signals& signals) {
   return onEachChannel(normalised(averagedFeatures));
 }
 
-/// Orthonormal cosines over `count` blocks, count x count.
-MatrixXd cosinesOver(Eigen::Index count) {
-  MatrixXd out(count, count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const double size = std::sqrt((k == 0 ? 1.0 : 2.0) / static_cast<double>(count));
-    for (Eigen::Index n = 0; n < count; ++n)
-      out(n, k) = size * std::cos(std::numbers::pi * static_cast<double>(k) * (static_cast<double>(n) + 0.5) /
-                                  static_cast<double>(count));
-  }
-  return out;
-}
-
 /// The judged blocks of a residual as slow and fast waves.
 class ShuffledWaves {
  public:
   ShuffledWaves(const Wrenches& residual, const std::vector<Stretch>& stretches)
-      : residual_(residual), stretches_(stretches) {
-    Eigen::Index count = 0, at = 0;
-    for (const auto& s : stretches) count += s.to - s.from;
-    MatrixXd judged(count, 6);
+      : residual_(residual), stretches_(stretches), cosines_(judgedIn(stretches)) {
+    Eigen::Index at = 0;
+    MatrixXd judged(judgedIn(stretches), 6);
     for (const auto& s : stretches) {
       judged.middleRows(at, s.to - s.from) = residual.middleCols(s.from, s.to - s.from).transpose();
       at += s.to - s.from;
     }
-    cosines_ = cosinesOver(count);
-    size_ = cosines_.transpose() * judged;
+    size_ = cosines_.forward(judged);
   }
 
   /// Signs for each wave in each channel, drawn at random.
@@ -219,7 +205,7 @@ class ShuffledWaves {
 
   /// The residual with its waves turned round as `signs` say: noise of the same colour that goes with nothing.
   Wrenches reshuffled(const MatrixXd& signs) const {
-    const MatrixXd judged = cosines_ * size_.cwiseProduct(signs);
+    const MatrixXd judged = cosines_.inverse(size_.cwiseProduct(signs));
     Wrenches out = residual_;
     Eigen::Index at = 0;
     for (const auto& s : stretches_) {
@@ -230,9 +216,16 @@ class ShuffledWaves {
   }
 
  private:
+  static Eigen::Index judgedIn(const std::vector<Stretch>& stretches) {
+    Eigen::Index count = 0;
+    for (const auto& s : stretches) count += s.to - s.from;
+    return count;
+  }
+
   const Wrenches& residual_;
   const std::vector<Stretch>& stretches_;
-  MatrixXd cosines_, size_;
+  CosineTransform cosines_;
+  MatrixXd size_;
 };
 
 /// Noise of the residual's colour that goes with nothing, and what columns gain in it.
