@@ -9844,6 +9844,14 @@ Rauschen %3</translation>
         <source>Comparing with the conventions as stated</source>
         <translation>Vergleich mit den Konventionen, wie sie angegeben sind</translation>
     </message>
+    <message>
+        <source>All causes were searched for from {:.0f} to {:.0f} s; the rest of this long recording was checked against the result, in steps of 0.1 s.</source>
+        <translation>Alle Ursachen wurden von {:.0f} bis {:.0f} s gesucht; der Rest dieser langen Aufzeichnung wurde mit dem Ergebnis verglichen, in Schritten von 0,1 s.</translation>
+    </message>
+    <message>
+        <source>A brief disturbance elsewhere may go unnoticed: diagnose a recording of at most 150 s of it.</source>
+        <translation>Eine kurze Störung an anderer Stelle kann unbemerkt bleiben: Prüfen Sie davon eine Aufzeichnung von höchstens 150 s.</translation>
+    </message>
 </context>
 <context>
     <name>heft::CarriedObjects</name>

@@ -1,6 +1,8 @@
 // Minutes of recording: what was done is found as in a demonstration, and stopping ends it at any stage.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -30,6 +32,9 @@ TEST(LongRecording, NothingIsFoundWhereNothingIs) {
   const DiagnosisReport report = diagnosed(minutes(200.0, 71));
   EXPECT_TRUE(idsOf(report).empty());
   EXPECT_EQ(report.verdict, Verdict::clean);
+  const auto part = std::ranges::find(report.findings, "searched_in_part", &Finding::code);
+  ASSERT_NE(part, report.findings.end());
+  EXPECT_THAT(part->text, testing::MatchesRegex("All causes were searched for from [0-9]+ to [0-9]+ s; .*"));
 }
 
 TEST(LongRecording, ACauseOfAllTheTimeIsFound) {
