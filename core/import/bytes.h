@@ -13,7 +13,8 @@
 
 namespace heft {
 
-/// Walks over bytes in memory. After the first read past the end every read gives zeros and ok() is false.
+/// Walks over bytes in memory. After the first read past the end nothing remains, every read gives zeros and ok() is
+/// false: a loop for as long as something remains ends there.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes, bool bigEndian = false) : bytes_(bytes), bigEndian_(bigEndian) {}
@@ -34,10 +35,11 @@ class ByteReader {
     return std::bit_cast<T>(copy);
   }
 
-  /// The next `count` bytes; empty and not ok if there are fewer.
+  /// The next `count` bytes; empty, not ok and at the end if there are fewer.
   std::string_view take(std::uint64_t count) {
     if (!ok_ || count > remaining()) {
       ok_ = false;
+      at_ = bytes_.size();
       return {};
     }
     const std::string_view out = bytes_.substr(at_, static_cast<std::size_t>(count));
