@@ -24,7 +24,7 @@ FACTS = {  # What nobody tunes: units and quadrature, sizes of arrays and models
     "kDegrees", "kMilli", "kMetre", "kRad", "kNode", "kWeight", "kGolden", "kLinear", "kHalfWaves", "kUsualSmoothing",
     "kRounds", "kLooks", "kBatch", "kDraws", "kParts", "kMostFalls", "kMaxOrder", "kMostHalfBlocks", "kMostPlaces", "kTried",
     "kTriedLater", "kRivals", "kFinished", "kTop", "kTerms", "kKept", "kForms", "kOfOne", "kMostSiblings", "kSmoothest", "kAtOnce",
-    "kLimits", "kBlock", "kBins"}
+    "kLimits", "kBlock", "kBins", "kEvery", "kLong", "kCoarseHz", "kCoarseBlocksHz"}
 TABLES = {"sensor_range.cpp"}  # Of data sheets
 TAG = re.compile(r"\benum\b|static constexpr int\b")
 GIVEN = {"core/diagnosis/options", "core/diagnosis/calibration"}  # Headers that all folders are given
