@@ -191,8 +191,9 @@ StepPanel::Below RealityPanel::below() const {
 
 QString RealityPanel::hint() const {
   if (whatIf_->on()) return tr("Drag a slider; the recording stays as it is");
-  return riddle() ? tr("Look at the curves below the arm, then guess")
-                  : tr("Apply a correction to see what it changes · Ctrl+Z to undo");
+  if (riddle()) return tr("Look at the curves below the arm, then guess");
+  if (!found() || found()->report->causes.empty()) return {};
+  return tr("Apply a correction to see what it changes · Ctrl+Z to undo");
 }
 
 void RealityPanel::changeEvent(QEvent* event) {
