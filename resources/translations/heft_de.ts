@@ -9852,6 +9852,10 @@ Rauschen %3</translation>
         <source>A brief disturbance elsewhere may go unnoticed: diagnose a recording of at most 150 s of it.</source>
         <translation>Eine kurze Störung an anderer Stelle kann unbemerkt bleiben: Prüfen Sie davon eine Aufzeichnung von höchstens 150 s.</translation>
     </message>
+    <message>
+        <source>Variable {} of the file is damaged; it and those after it were not read.</source>
+        <translation>Variable {} der Datei ist beschädigt; sie und die danach wurden nicht gelesen.</translation>
+    </message>
 </context>
 <context>
     <name>heft::CarriedObjects</name>

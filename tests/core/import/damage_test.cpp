@@ -60,6 +60,17 @@ TEST_F(CutOff, ADamagedHeadTakesNoMemory) {
   EXPECT_LT(peak() - before, 100 << 10);
 }
 
+TEST_F(CutOff, OfAMatlabFileWhatComesBeforeADamagedVariableIsRead) {
+  // A structure whose packed bytes fail their checksum: the library made millions of cells of it.
+  const auto streams =
+      inspectRecording(std::filesystem::path(HEFT_SOURCE_DIR) / "tests/fuzz/corpus/matlab/checksum_wrong.mat");
+  ASSERT_TRUE(streams.ok());
+  const auto& findings = streams.value().findings;
+  const auto damage = std::ranges::find(findings, "variable_damaged", &Finding::code);
+  ASSERT_NE(damage, findings.end());
+  EXPECT_THAT(damage->text, testing::HasSubstr("Variable 2 "));
+}
+
 INSTANTIATE_TEST_SUITE_P(Fixtures, Damage,
                          ::testing::Values("ros1_none.bag", "ros1_lz4.bag", "ros1_bz2.bag", "plain.mcap", "zstd.mcap",
                                            "lz4.mcap", "ros2_bag/ros2_bag_0.db3"),
