@@ -1,6 +1,7 @@
 // Files that are cut off give what they hold; damaged ones end in a sentence, never in a crash.
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <random>
 
 #include "tests/core/import/fixtures.h"
