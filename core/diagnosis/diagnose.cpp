@@ -108,21 +108,6 @@ void addSmallest(Searched& part, DiagnosisReport& out) {
       out.smallest.push_back(std::move(one));
 }
 
-/// Of a long recording, what its parts alone were asked.
-Findings searchedPartsOf(const SearchedInParts& searches) {
-  Findings out;
-  for (const SearchedPart& part : searches.parts)
-    out.push_back(
-        {Severity::info,
-         "searched_in_part",
-         heft::say("All causes were searched for from {:.0f} to {:.0f} s; the rest of this long recording was checked "
-                   "against the result, in steps of 0.1 s.",
-                   part.cleaned.time(0), part.cleaned.time(part.cleaned.time.size() - 1)),
-         heft::say("A brief disturbance elsewhere may go unnoticed: diagnose a recording of at most 150 s of it."),
-         {}});
-  return out;
-}
-
 /// What holds of what was found. Of a long recording, what is left is told by the part if that leaves more; where only
 /// the whole leaves something unknown, another part is searched.
 Result<Confirmed> confirmedAtAnyLength(const Recording& recording, const Readings& readings, const RobotModel* robot,
@@ -240,10 +225,6 @@ void setSeries(const Hypothesis& hypothesis, const Confirmed& fitted, DiagnosisS
   out.judged = signals.usable;
 }
 
-}  // namespace
-
-namespace {
-
 Result<DiagnosisReport> diagnosed(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options,
                                   const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
@@ -290,7 +271,7 @@ Result<DiagnosisReport> diagnosed(const Recording& recording, const RobotModel* 
   out.model = hypothesis.search.final.model;
   out.smallest = smallestVisible(hypothesis, out.causes, std::max(kNamed, out.threshold));
   if (!searches->parts.empty()) addSmallest(searches->parts.front().found, out);
-  std::ranges::move(searchedPartsOf(*searches), std::back_inserter(out.findings));
+  std::ranges::move(findingsOf(*searches), std::back_inserter(out.findings));
   setSeries(hypothesis, fitted, out.series);
   // Of minutes, each of these is as large as all that an estimate needs.
   searches->parts.clear();

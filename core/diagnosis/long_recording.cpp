@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/say.h"
 #include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
@@ -165,6 +166,22 @@ std::optional<Error> searchWhole(const Recording& recording, const Readings& rea
 }
 
 }  // namespace
+
+Findings findingsOf(const SearchedInParts& searches) {
+  const double step = 1.0 / searches.whole.hypothesis.signals.blockRate();  // [s]
+  Findings out;
+  for (const SearchedPart& part : searches.parts)
+    out.push_back(
+        {Severity::info,
+         "searched_in_part",
+         heft::say("All causes were searched for from {:.0f} to {:.0f} s; the rest of this long recording was checked "
+                   "against the result, in steps of {:.1f} s.",
+                   part.cleaned.time(0), part.cleaned.time(part.cleaned.time.size() - 1), step),
+         heft::say("A brief disturbance elsewhere may go unnoticed: diagnose a recording of at most {:.0f} s of it.",
+                   kLong),
+         {}});
+  return out;
+}
 
 Result<SearchedInParts> searchedAtAnyLength(const Recording& recording, const Readings& readings,
                                             const RobotModel* robot, const DiagnoseOptions& options,

@@ -20,6 +20,9 @@ struct SearchedInParts {
   std::vector<SearchedPart> parts;  ///< Of a long one, in fine steps
 };
 
+/// Of a long recording, what its parts alone were asked.
+Findings findingsOf(const SearchedInParts& searches);
+
 /// As searched(). What acts all the time and shows neither in a part of a long recording nor as a rival there is not
 /// looked for in the whole.
 Result<SearchedInParts> searchedAtAnyLength(const Recording& recording, const Readings& readings,

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/say.h"
+#include "core/base/stop.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/correction/corrected.h"
 #include "core/diagnosis/pose_search.h"
@@ -303,7 +304,7 @@ Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotMod
   std::vector<std::string> hidden = options.hidden;
   if (out.mistake && out.mistake->has(conventions::Change::turned)) hidden.emplace_back(ids::jointOffset);
   PoseSearch search = searchPoses(read->poses, hidden, progress);
-  if (progress.cancelled()) return Error{"Stopped.", true};
+  stopPoint();
   const std::vector<bool> bad = badPoses(read->poses, search.fit);
   const auto badCount = std::ranges::count(bad, true);
   const double judged =

@@ -10,6 +10,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/say.h"
+#include "core/base/stop.h"
 #include "core/diagnosis/artefacts/made_by_motion.h"
 #include "core/diagnosis/artefacts/sharp_motion.h"
 #include "core/diagnosis/calibration.h"
@@ -91,9 +92,9 @@ class SmoothingSearch {
     begin(out);
     auto found = search();
     if (!found) return found.error();
-    if (progress_.cancelled()) return Error{"Stopped.", true};
+    stopPoint();
     if (options_.surrogates > 0 && !found->search.found.empty()) judgeChance(*found, out);
-    if (progress_.cancelled()) return Error{"Stopped.", true};
+    stopPoint();
     found->motionArtefacts = motionArtefacts(*found, candidates_, at_);
     finish(std::move(*found), out);
     return out;

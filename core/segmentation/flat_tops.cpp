@@ -1,9 +1,10 @@
 #include "core/segmentation/flat_tops.h"
-#include "core/base/stop.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+
+#include "core/base/stop.h"
 
 namespace heft {
 

@@ -9845,16 +9845,16 @@ Rauschen %3</translation>
         <translation>Vergleich mit den Konventionen, wie sie angegeben sind</translation>
     </message>
     <message>
-        <source>All causes were searched for from {:.0f} to {:.0f} s; the rest of this long recording was checked against the result, in steps of 0.1 s.</source>
-        <translation>Alle Ursachen wurden von {:.0f} bis {:.0f} s gesucht; der Rest dieser langen Aufzeichnung wurde mit dem Ergebnis verglichen, in Schritten von 0,1 s.</translation>
-    </message>
-    <message>
-        <source>A brief disturbance elsewhere may go unnoticed: diagnose a recording of at most 150 s of it.</source>
-        <translation>Eine kurze Störung an anderer Stelle kann unbemerkt bleiben: Prüfen Sie davon eine Aufzeichnung von höchstens 150 s.</translation>
-    </message>
-    <message>
         <source>Variable {} of the file is damaged; it and those after it were not read.</source>
         <translation>Variable {} der Datei ist beschädigt; sie und die danach wurden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>All causes were searched for from {:.0f} to {:.0f} s; the rest of this long recording was checked against the result, in steps of {:.1f} s.</source>
+        <translation>Alle Ursachen wurden von {:.0f} bis {:.0f} s gesucht; der Rest dieser langen Aufzeichnung wurde mit dem Ergebnis verglichen, in Schritten von {:.1f} s.</translation>
+    </message>
+    <message>
+        <source>A brief disturbance elsewhere may go unnoticed: diagnose a recording of at most {:.0f} s of it.</source>
+        <translation>Eine kurze Störung an anderer Stelle kann unbemerkt bleiben: Prüfen Sie davon eine Aufzeichnung von höchstens {:.0f} s.</translation>
     </message>
 </context>
 <context>

@@ -11,7 +11,8 @@ SegmentData::SegmentData(const Signals& signals_, const Fit& fit_, const std::ve
       fit(fit_),
       contacts(contacts_),
       should(signals_.measured - fit_.residual),
-      usual(usualPower(signals_, fit_, blocksOf(contacts_))) {
+      usual(usualPower(signals_, fit_, blocksOf(contacts_))),
+      load(loadIn(signals_, fit_, contacts_)) {
   double all = 1e-300, blocks = 0.0;
   for (const Stretch& s : blocksOf(contacts)) {
     const auto count = static_cast<double>(s.to - s.from);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/diagnosis/change_detection/carried_load.h"
 #include "core/diagnosis/change_detection/segments.h"
 
 namespace heft::diagnosis {
@@ -21,10 +22,11 @@ class SegmentData {
   const Signals& signals;
   const Fit& fit;
   const std::vector<Contact>& contacts;
-  const Wrenches should;  ///< What the channels should read, by the model
-  const Vector6d usual;   ///< Power of what is left outside of the segments [N^2, (N m)^2]
-  double tenths = 0.0;    ///< Tenths of a second in the segments: as often a push may change
-  double noise = 0.0;     ///< Share of the power in the segments that is usual: no answer leaves less
+  const Wrenches should;             ///< What the channels should read, by the model
+  const Vector6d usual;              ///< Power of what is left outside of the segments [N^2, (N m)^2]
+  const std::optional<LoadIn> load;  ///< The segments as one load would make all of them
+  double tenths = 0.0;               ///< Tenths of a second in the segments: as often a push may change
+  double noise = 0.0;                ///< Share of the power in the segments that is usual: no answer leaves less
 };
 
 /// How an answer accounts for all of the segments.

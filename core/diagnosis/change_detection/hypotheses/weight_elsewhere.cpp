@@ -2,13 +2,12 @@
 // play in its holder.
 #include "core/base/say.h"
 #include "core/diagnosis/calibration.h"
-#include "core/diagnosis/change_detection/carried_load.h"
 #include "core/diagnosis/change_detection/hypotheses/segment_hypothesis.h"
 
 namespace heft::diagnosis {
 
 std::optional<SegmentAnswer> weightElsewhere(const SegmentData& data) {
-  const auto load = loadIn(data.signals, data.fit, data.contacts);
+  const auto& load = data.load;
   if (!load || std::abs(load->mass) >= std::max(2.0 * load->massStd, kNoLoad * data.fit.model.x(6)))
     return std::nullopt;
   // Next to nothing, and clearly less than somebody does who holds on to the tool.

@@ -41,7 +41,7 @@ Quiet quietBeside(const SegmentData& data, Eigen::Index length) {
 
 std::optional<SegmentAnswer> whereNobodyTouches(const SegmentData& data) {
   // One or two may be there by chance, unless it is known exactly: of 24 touches none acted within 25 mm.
-  const auto length = static_cast<Eigen::Index>(std::max(1.0, std::round(0.1 * data.signals.blockRate())));
+  const auto length = static_cast<Eigen::Index>(std::max(1.0, std::round(kMoment * data.signals.blockRate())));
   Matrix3d A = Matrix3d::Zero();
   Vector3d b = Vector3d::Zero();
   std::vector<Vector6d> means;
