@@ -79,9 +79,10 @@ constexpr std::ptrdiff_t kOverfitted = 4, kMasses = 2;
 
 // Time and place.
 
-/// [s] What happens within this happens at one moment; the same in blocks of 20 ms.
+/// [s] What happens within this happens at one moment; the same in blocks, of which a second has 50.
 constexpr double kMoment = 0.1;
-constexpr std::ptrdiff_t kMomentBlocks = static_cast<std::ptrdiff_t>(kMoment / 0.02 + 0.5);
+constexpr auto kMomentBlocks = static_cast<std::ptrdiff_t>(kMoment * 50);
+static_assert(kMomentBlocks == 5);
 /// [s] A knock lasts no longer, what a blow sets ringing has died away, the next event is another one; what lasts no
 /// longer than the last is brief.
 constexpr double kEvent = 0.3, kBriefly = 3.0;

@@ -2,11 +2,8 @@
 // Time and Data. Version 7.3 is HDF5 and read as that.
 #include <fmt/format.h>
 #include <matio.h>
-#include <zlib.h>
 
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -16,6 +13,7 @@
 #include "core/base/text.h"
 #include "core/import/array_streams.h"
 #include "core/import/bytes.h"
+#include "core/import/matlab_heads.h"
 
 namespace heft {
 
@@ -189,74 +187,6 @@ std::vector<double> readMatChannel(const MatArray& what, std::size_t channel) {
   return out;
 }
 
-/// Whether a file of version 4 can be given to the library, which takes as much memory as a damaged head says that a
-/// variable's name is long. A head: type, rows, columns, 0 or 1 for imaginary parts, length of the name.
-bool headsAreSound(const ByteFile& file) {
-  constexpr std::uint64_t kHead = 20;
-  constexpr std::array<std::uint64_t, 6> kBytes{8, 4, 4, 2, 2, 1};  // Of a number, by the type's second digit
-  if (file.read(0, 10) == "MATLAB 5.0") return true;
-  for (std::uint64_t at = 0; at + kHead <= file.size();) {
-    const std::string head = file.read(at, kHead);
-    ByteReader reader(head);
-    const auto type = reader.read<std::uint32_t>();
-    const double rows = reader.read<std::uint32_t>(), columns = reader.read<std::uint32_t>();
-    const auto imaginary = reader.read<std::uint32_t>(), name = reader.read<std::uint32_t>();
-    if (!reader.ok() || type / 10 >= kBytes.size() || imaginary > 1 || name == 0 || name > file.size() - at)
-      return false;
-    const double size = rows * columns * static_cast<double>(kBytes[type / 10] * (1 + imaginary));
-    if (size > static_cast<double>(file.size())) return true;  // Cut off: the library finds no more heads
-    at += kHead + name + static_cast<std::uint64_t>(size);
-  }
-  return true;
-}
-
-/// Whether these bytes of the file are one whole zlib stream, by its own checksum.
-bool inflates(const ByteFile& file, std::uint64_t at, std::uint64_t count, const Progress& progress) {
-  constexpr std::uint64_t kPiece = 1 << 18;
-  z_stream stream{};
-  if (inflateInit(&stream) != Z_OK) return false;
-  std::string out(kPiece, '\0');
-  int status = Z_OK;
-  for (std::uint64_t done = 0; done < count && status == Z_OK && !progress.cancelled(); done += kPiece) {
-    std::string piece = file.read(at + done, std::min(kPiece, count - done));
-    stream.next_in = reinterpret_cast<Bytef*>(piece.data());
-    stream.avail_in = static_cast<uInt>(piece.size());
-    do {
-      stream.next_out = reinterpret_cast<Bytef*>(out.data());
-      stream.avail_out = static_cast<uInt>(out.size());
-      status = inflate(&stream, Z_NO_FLUSH);
-    } while (status == Z_OK && stream.avail_out == 0);
-    if (status == Z_BUF_ERROR) status = Z_OK;  // It wants the next piece
-  }
-  inflateEnd(&stream);
-  return status == Z_STREAM_END;
-}
-
-struct SoundVariables {
-  std::size_t count = 0;
-  bool all = true;
-};
-
-/// The variables of a file before the first damaged one. Of version 5 to 7 each packed one has a checksum;
-/// one that fails it has the library make as many cells as damage says: 5 GB of 9 KB.
-SoundVariables soundVariables(const ByteFile& file, const Progress& progress) {
-  constexpr std::uint64_t kHead = 128, kTag = 8;
-  constexpr std::uint32_t kPacked = 15;
-  if (file.read(0, 10) != "MATLAB 5.0") return {std::numeric_limits<std::size_t>::max()};
-  const bool bigEndian = file.read(126, 2) == "MI";
-  SoundVariables out;
-  for (std::uint64_t at = kHead; at + kTag <= file.size(); ++out.count) {
-    const std::string tag = file.read(at, kTag);
-    ByteReader reader(tag, bigEndian);
-    const auto type = reader.read<std::uint32_t>();
-    const std::uint64_t bytes = reader.read<std::uint32_t>();
-    out.all = type != kPacked || inflates(file, at + kTag, bytes, progress);
-    if (!out.all) break;
-    at += kTag + bytes;
-  }
-  return out;
-}
-
 }  // namespace
 
 Result<StreamSet> readMatlabStreams(const std::filesystem::path& path, const FieldFilter& filter,
@@ -270,7 +200,9 @@ Result<StreamSet> readMatlabStreams(const std::filesystem::path& path, const Fie
   set.kind = FileKind::matlab;
   const auto heads = ByteFile::open(path);
   if (!heads) return heads.error();
-  const MatFile file(headsAreSound(*heads) ? Mat_Open(path.c_str(), MAT_ACC_RDONLY) : nullptr, Mat_Close);
+  const SoundVariables sound = soundVariables(*heads, progress);
+  const MatFile file(sound.count > 0 ? Mat_Open(path.c_str(), MAT_ACC_RDONLY) : nullptr, Mat_Close);
+  if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
   if (!file)
     return errorAt({set.file, 0, 0}, heft::say("this MATLAB file cannot be opened: it is cut off or damaged."),
                    heft::say("Save it again, for instance with save('FILE', '-v7')."));
@@ -281,8 +213,7 @@ Result<StreamSet> readMatlabStreams(const std::filesystem::path& path, const Fie
   const double mostBytes = 1e3 * static_cast<double>(fileBytes) + 1e6;
   // Damage can send the library back to the same variable without end. None has fewer bytes than a header of version 4.
   constexpr std::size_t kLeastBytesOfVariable = 20;
-  const SoundVariables sound = soundVariables(*heads, progress);
-  if (!sound.all && !progress.cancelled())
+  if (!sound.all)
     set.findings.push_back(
         {Severity::warning,
          "variable_damaged",

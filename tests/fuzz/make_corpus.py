@@ -5,6 +5,7 @@ import math
 import pathlib
 import sqlite3
 import struct
+import zlib
 
 HERE = pathlib.Path(__file__).resolve().parent
 CORPUS = HERE / "corpus"
@@ -78,6 +79,37 @@ def mat4():
     return struct.pack("<5i", 0, 12, 1, 0, len(name)) + name + values
 
 
+def mat5(variables):
+    """A file of version 5. Each variable: its class, sizes, name, what follows the name, and whether it is packed."""
+    def element(kind, data):
+        return struct.pack("<2I", kind, len(data)) + data + bytes(-len(data) % 8)
+
+    out = b"MATLAB 5.0 MAT-file".ljust(124) + b"\0\1IM"
+    for kind, sizes, name, rest, packed in variables:
+        inner = element(6, struct.pack("<2I", kind, 0)) + element(5, struct.pack(f"<{len(sizes)}i", *sizes))
+        matrix = element(14, inner + element(1, name) + rest)
+        matrix = struct.pack("<2I", 15, len(zlib.compress(matrix))) + zlib.compress(matrix) if packed else matrix
+        out += matrix
+    return out
+
+
+def damaged_mat5():
+    """Files whose second variable asks for more than its bytes hold: cells, fields of a structure, numbers of a field."""
+    def numbers(values):
+        return struct.pack("<2I", 9, 8 * len(values)) + struct.pack(f"<{len(values)}d", *values)
+
+    first = (6, (12, 1), b"time", numbers([0.01 * k for k in range(12)]), False)
+    fields = struct.pack("<HHi", 5, 4, 8) + struct.pack("<2I", 1, 8) + b"force\0\0\0"
+    field = struct.pack("<4I", 6, 8, 6, 0) + struct.pack("<2I2i", 5, 8, 30000, 30000) + struct.pack("<2I", 1, 0)
+    field += numbers([1, 2])
+    field = struct.pack("<2I", 14, len(field)) + field
+    for packed in (False, True):
+        end = "_packed.mat" if packed else ".mat"
+        yield "many_cells" + end, mat5([first, (1, (20000, 20000), b"c", bytes(64), packed)])
+        yield "many_elements" + end, mat5([first, (2, (20000, 20000), b"s", fields + bytes(64), packed)])
+        yield "many_numbers" + end, mat5([first, (2, (1, 1), b"s", fields + field, packed)])
+
+
 def main():
     for name, text in {
         "plain.csv": table(),
@@ -119,6 +151,8 @@ def main():
     put("hdf5", "log.h5", (RECORDINGS / "log.h5").read_bytes())
     put("matlab", "v4.mat", mat4())
     put("matlab", "v5.mat", (RECORDINGS / "log.mat").read_bytes())
+    for name, data in damaged_mat5():
+        put("matlab", name, data)
     put("numpy", "table.npy", npy())
     put("numpy", "log.npz", (RECORDINGS / "log.npz").read_bytes())
     put("recording", "table.npy", npy())

@@ -40,13 +40,15 @@ TEST_F(CutOff, BeforeAnythingIsCompleteItSaysThat) {
   }
 }
 
+/// The most memory that this program has held so far.
+long peakKiB() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
 /// MATLAB 4: the library takes as much memory as the second variable's head says that its name is long (1.9 GB).
 TEST_F(CutOff, ADamagedHeadTakesNoMemory) {
-  const auto peak = [] {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss;  // [KiB]
-  };
   const auto head = [](std::uint32_t name) {
     const std::uint32_t numbers[] = {0, 1, 1, 0, name};
     return std::string(reinterpret_cast<const char*>(numbers), sizeof numbers);
@@ -54,11 +56,11 @@ TEST_F(CutOff, ADamagedHeadTakesNoMemory) {
   const std::string first = head(5) + std::string("time\0", 5) + std::string(8, '\0');
   const auto whole = write("whole.mat", first + head(3) + std::string("fx\0", 3) + std::string(8, '\0'));
   EXPECT_TRUE(inspectRecording(whole).ok());
-  const auto before = peak();
+  const auto before = peakKiB();
   const auto result = inspectRecording(write("long_name.mat", first + head(0x75640005) + std::string(51, '\0')));
   ASSERT_FALSE(result.ok());
   EXPECT_THAT(result.error().message, testing::HasSubstr("damaged"));
-  EXPECT_LT(peak() - before, 100 << 10);
+  EXPECT_LT(peakKiB() - before, 100 << 10);
 }
 
 TEST_F(CutOff, OfAMatlabFileWhatComesBeforeADamagedVariableIsRead) {
@@ -70,6 +72,24 @@ TEST_F(CutOff, OfAMatlabFileWhatComesBeforeADamagedVariableIsRead) {
   const auto damage = std::ranges::find(findings, "variable_damaged", &Finding::code);
   ASSERT_NE(damage, findings.end());
   EXPECT_THAT(damage->text, testing::HasSubstr("Variable 2 "));
+}
+
+/// Cells, a structure's elements, a field's numbers: the library makes as many as the sizes say, whatever there is.
+TEST_F(CutOff, AMatlabVariableThatAsksForMoreThanItHasIsNotRead) {
+  for (const char* const kind : {"many_cells", "many_elements", "many_numbers"}) {
+    for (const char* const end : {".mat", "_packed.mat"}) {
+      SCOPED_TRACE(std::string(kind) + end);
+      const auto before = peakKiB();
+      const auto streams = inspectRecording(std::filesystem::path(HEFT_SOURCE_DIR) / "tests/fuzz/corpus/matlab" /
+                                            (std::string(kind) + end));
+      ASSERT_TRUE(streams.ok());
+      const auto& findings = streams.value().findings;
+      const auto damage = std::ranges::find(findings, "variable_damaged", &Finding::code);
+      ASSERT_NE(damage, findings.end());
+      EXPECT_THAT(damage->text, testing::HasSubstr("Variable 2 "));
+      EXPECT_LT(peakKiB() - before, 100 << 10);
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Fixtures, Damage,
