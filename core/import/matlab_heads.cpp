@@ -95,7 +95,7 @@ class VariableBytes {
   std::size_t used_ = 0;
 };
 
-/// The head of a data element: miINT8 and so on, and how many bytes its data have.
+/// The head of a data element: its type, miINT8 and so on, and how many bytes its data have.
 struct Tag {
   std::uint32_t type = 0;
   std::uint64_t bytes = 0;
@@ -104,7 +104,7 @@ struct Tag {
 };
 
 constexpr std::uint64_t kTag = 8;
-constexpr std::uint32_t kMatrix = 14, kPacked = 15;
+constexpr std::uint32_t kInt8 = 1, kInt32 = 5, kUint32 = 6, kMatrix = 14, kPacked = 15;
 /// No recording nests deeper; the library reads structures in structures by calling itself.
 constexpr int kDeepest = 32;
 
@@ -125,17 +125,20 @@ class VariableWalk {
     if (depth > kDeepest) return false;
     std::string data;
     Tag tag;
-    if (!element(left, tag, data) || data.size() != 8) return false;
+    if (!element(left, tag, data) || tag.type != kUint32 || data.size() != 8) return false;
     const unsigned kind = ByteReader(data, bigEndian_).read<std::uint32_t>() & 0xff;
-    if (kind >= kFunction) return bytes_.skip(left);  // Function handles and tables have no sizes here
-    if (!element(left, tag, data) || data.size() % 4 != 0) return false;
+    if (kind < kCell || kind > kOpaque) return false;
     double count = 1.0;
-    for (ByteReader sizes(data, bigEndian_); !sizes.atEnd();) {
-      const auto size = sizes.read<std::int32_t>();
-      if (size < 0) return false;
-      count *= size;
+    if (kind != kOpaque) {  // Tables and other objects of classes say no sizes
+      if (!element(left, tag, data) || tag.type != kInt32 || data.size() % 4 != 0) return false;
+      for (ByteReader sizes(data, bigEndian_); !sizes.atEnd();) {
+        const auto size = sizes.read<std::int32_t>();
+        if (size < 0) return false;
+        count *= size;
+      }
     }
-    if (!element(left, tag, data)) return false;  // The name
+    if (!element(left, tag, data) || tag.type != kInt8) return false;  // The name
+    if (kind >= kFunction) return bytes_.skip(left);
     if (kind == kCell) return matrices(count, left, depth);
     if (kind == kObject && !element(left, tag, data)) return false;  // The name of its class
     if (kind == kStruct || kind == kObject) {
@@ -152,7 +155,7 @@ class VariableWalk {
   }
 
  private:
-  enum Kind : unsigned { kCell = 1, kStruct = 2, kObject = 3, kText = 4, kSparse = 5, kFunction = 16 };
+  enum Kind : unsigned { kCell = 1, kStruct = 2, kObject = 3, kText = 4, kSparse = 5, kFunction = 16, kOpaque = 17 };
 
   /// The next tag of a variable that has `left` bytes more; its data have to lie in them.
   bool head(std::uint64_t& left, Tag& out) {
