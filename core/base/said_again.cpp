@@ -1,6 +1,7 @@
 #include "core/base/said_again.h"
 
 #include <fmt/args.h>
+#include <pthread.h>
 
 #include <algorithm>
 #include <cctype>
@@ -32,6 +33,9 @@ constexpr int kDeepest = 4;             // Sentences within sentences
 constexpr std::size_t kLongest = 4000;  // [bytes] Of a text that is taken apart
 
 std::mutex memoryMutex;
+// A copy of the process that reads a file has its own, not held by a thread that it does not have.
+[[maybe_unused]] const int memoryInCopies =
+    ::pthread_atfork([] { memoryMutex.lock(); }, [] { memoryMutex.unlock(); }, [] { memoryMutex.unlock(); });
 std::size_t capacity = 0;
 std::map<std::string, Making> known;
 std::deque<std::string> order;  // Oldest first

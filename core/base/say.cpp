@@ -1,5 +1,7 @@
 #include "core/base/say.h"
 
+#include <pthread.h>
+
 #include <cstdlib>
 #include <locale>
 #include <memory>
@@ -28,6 +30,9 @@ class DecimalPoint : public std::numpunct<char> {
 };
 
 std::mutex mutex;
+// A copy of the process that reads a file has its own, not held by a thread that it does not have.
+[[maybe_unused]] const int languageInCopies =
+    ::pthread_atfork([] { mutex.lock(); }, [] { mutex.unlock(); }, [] { mutex.unlock(); });
 std::shared_ptr<const Language> chosen;
 
 std::shared_ptr<const Language> language() {

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <mutex>
 #include <optional>
 #include <set>
 
@@ -120,8 +119,6 @@ class LinkWalk {
 
 Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const FieldFilter& filter,
                                   const TimeChoice& choice, const Progress& progress) {
-  static std::mutex mutex;  // the library is not made for several threads
-  const std::lock_guard lock(mutex);
   if (const std::string problem = hdf5Library.problem(); !problem.empty()) return Error{problem};
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are told in findings, not on stderr
   StreamSet set;

@@ -232,18 +232,19 @@ SoundVariables soundVariables(const ByteFile& file, const Progress& progress) {
     const auto type = reader.read<std::uint32_t>();
     const std::uint64_t count = reader.read<std::uint32_t>();
     at += kTag;
-    out.all = count <= file.size() - at && !progress.cancelled();
-    if (out.all && (type == kMatrix || type == kPacked)) {
-      VariableBytes bytes(file, at, count, type == kPacked);
-      VariableWalk walk(bytes, bigEndian);
-      if (type == kPacked) {
-        const std::string inner = bytes.take(kTag);
-        ByteReader packed(inner, bigEndian);
-        const bool matrix = packed.read<std::uint32_t>() == kMatrix;
-        out.all = matrix && walk.matrix(packed.read<std::uint32_t>(), 0) && bytes.endsWell(progress);
-      } else {
-        out.all = walk.matrix(count, 0);
-      }
+    // One without a byte has no head, and the library would take what follows it for one.
+    out.all = (type == kMatrix || type == kPacked) && count > 0 && count <= file.size() - at && !progress.cancelled();
+    if (!out.all) break;
+    VariableBytes bytes(file, at, count, type == kPacked);
+    VariableWalk walk(bytes, bigEndian);
+    if (type == kPacked) {
+      const std::string inner = bytes.take(kTag);
+      ByteReader packed(inner, bigEndian);
+      const bool matrix = packed.read<std::uint32_t>() == kMatrix;
+      const std::uint64_t unpacked = packed.read<std::uint32_t>();
+      out.all = matrix && unpacked > 0 && walk.matrix(unpacked, 0) && bytes.endsWell(progress);
+    } else {
+      out.all = walk.matrix(count, 0);
     }
     if (!out.all) break;
     at += count;

@@ -9856,6 +9856,14 @@ Rauschen %3</translation>
         <source>A brief disturbance elsewhere may go unnoticed: diagnose a recording of at most {:.0f} s of it.</source>
         <translation>Eine kurze Störung an anderer Stelle kann unbemerkt bleiben: Prüfen Sie davon eine Aufzeichnung von höchstens {:.0f} s.</translation>
     </message>
+    <message>
+        <source>the file is damaged: the library that reads files of this kind crashed on it.</source>
+        <translation>die Datei ist beschädigt: Die Bibliothek, die solche Dateien liest, ist daran abgestürzt.</translation>
+    </message>
+    <message>
+        <source>Copy it again from where it was recorded, or save it again there.</source>
+        <translation>Kopieren Sie sie noch einmal von dort, wo sie aufgezeichnet wurde, oder speichern Sie sie dort neu.</translation>
+    </message>
 </context>
 <context>
     <name>heft::CarriedObjects</name>
