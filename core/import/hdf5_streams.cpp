@@ -10,6 +10,7 @@
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/hdf5_datasets.h"
+#include "core/import/own_process.h"
 #include "core/import/streams.h"
 
 namespace heft {
@@ -119,7 +120,14 @@ class LinkWalk {
 
 Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const FieldFilter& filter,
                                   const TimeChoice& choice, const Progress& progress) {
+  // Loaded here once: each copy would load it again.
   if (const std::string problem = hdf5Library.problem(); !problem.empty()) return Error{problem};
+  return readInOwnProcess(
+      path, [&](const Progress& own) { return readHdf5StreamsHere(path, filter, choice, own); }, progress);
+}
+
+Result<StreamSet> readHdf5StreamsHere(const std::filesystem::path& path, const FieldFilter& filter,
+                                      const TimeChoice& choice, const Progress& progress) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are told in findings, not on stderr
   StreamSet set;
   set.file = displayName(path);

@@ -10,7 +10,6 @@
 #include "core/import/compression.h"
 #include "core/import/import.h"
 #include "core/import/json_numbers.h"
-#include "core/import/own_process.h"
 #include "core/import/streams.h"
 #include "core/import/time_column.h"
 
@@ -174,8 +173,7 @@ Result<StreamSet> readStreams(const std::filesystem::path& path, FileKind kind, 
     case FileKind::jsonLines:
       return readJsonLines(path, time, progress);
     case FileKind::hdf5:
-      return readInOwnProcess(
-          path, [&](const Progress& own) { return readHdf5Streams(path, filter, time, own); }, progress);
+      return readHdf5Streams(path, filter, time, progress);
     case FileKind::matlab:
       return readMatlabStreams(path, filter, time, progress);
     case FileKind::numpy:

@@ -83,10 +83,13 @@ Result<StreamSet> readMessageStreams(const std::filesystem::path& path, FileKind
                                      const Progress& progress);
 Result<StreamSet> readTableStreams(const std::filesystem::path& path, const TimeChoice& time, const Progress& progress);
 Result<StreamSet> readJsonLines(const std::filesystem::path& path, const TimeChoice& time, const Progress& progress);
-/// One at a time in a process, and in one that may crash: the library is not made for several threads, and damaged files
-/// take version 1.10 out of its memory (readInOwnProcess()).
+/// In a process of its own (own_process.h): damaged files take version 1.10 of the library out of its memory, and it is
+/// not made for several threads.
 Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const FieldFilter& filter, const TimeChoice& time,
                                   const Progress& progress);
+/// What that process does; a fuzzer does it in its own.
+Result<StreamSet> readHdf5StreamsHere(const std::filesystem::path& path, const FieldFilter& filter,
+                                      const TimeChoice& time, const Progress& progress);
 /// MATLAB's files of versions 4 to 7 (7.3 is HDF5).
 Result<StreamSet> readMatlabStreams(const std::filesystem::path& path, const FieldFilter& filter,
                                     const TimeChoice& time, const Progress& progress);
