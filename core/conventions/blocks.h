@@ -31,6 +31,7 @@ struct Blocks {
   std::array<MatrixXd, 3> R_SB;    ///< K x 3: row c of R_BS^T
   MatrixXd seen;                   ///< K x 24: column 3 (2 Seen + (0: A, 1: B)) + c
   bool positionKnown = true;
+  std::array<bool, 6> silent{};  ///< As stated, f then tau: what such channels hold is no reading, and is not fitted
   /// Rows of blocks: those of one block stand at k, K + k, 2 K + k.
   Eigen::Index size() const { return seen.rows(); }
   static int column(Seen seen, bool second, int c) { return 3 * (2 * seen + (second ? 1 : 0)) + c; }

@@ -98,6 +98,13 @@ Report Check::run() {
   const Candidate stated = candidate(statedWay(), 0, Free::nothing, place_);
   report.statedMisfit = stated.misfit;
   report.statedPayload = stated.payload;
+  if (std::ranges::find(q_.silent, true) != q_.silent.end()) {
+    // Of axes that are turned, swapped or mirrored each needs all three readings.
+    std::vector<Candidate> none;
+    decide(stated, none, report);
+    putIntoWords(q_, report);
+    return report;
+  }
   std::vector<Candidate> all;
   // Where somebody pushes shows under the stated conventions, too, unless they are far off: then they are out anyway.
   scanAll(stated.fit.weights, false, 4, all);
@@ -154,7 +161,10 @@ void Check::decide(const Candidate& stated, std::vector<Candidate>& all, Report&
   report.misfit = stated.misfit;
   report.payload = stated.payload;
   report.covariance = stated.fit.covariance.topLeftCorner<10, 10>();
-  if (first == nullptr) return;
+  if (first == nullptr) {
+    if (isNegative(stated) || stated.misfit.worst() > kDescribes) report.verdict = Verdict::none;
+    return;
+  }
   report.overStated = first->score - stated.score;
   const bool impossible = isNegative(stated) || stated.reach > 0.0;
   const bool explains = !cause && report.overStated > kOverwhelming && first->misfit.worst() < kExplains &&

@@ -6,6 +6,7 @@
 // Exact ties, whatever the data: a unit of force alone scales the mass; all signs turned is gravity pointing up in
 // standing poses; there, too, the torque's sign and the centre of mass mirrored through the sensor are the same, and so
 // are another reference point and another centre.
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,8 +23,10 @@ struct Question {
   Reading stated;
   bool posesInFile = false;  ///< The motion comes from poses in the file, not from joints.
   std::vector<bool> use;     ///< Empty, or one a sample of the motion: what the user marked as contact is not used.
-  double heaviest = 50.0;    ///< Payload of the arm [kg]: what weighs more is not read rightly. Arms guided by hand
-                             ///< carry 3 to 50 kg (FANUC CR-35iB).
+  /// Channels that hold one value, where the file's are the sensor's. Only the stated conventions are asked then.
+  std::array<bool, 6> silent{};
+  double heaviest = 50.0;  ///< Payload of the arm [kg]: what weighs more is not read rightly. Arms guided by hand
+                           ///< carry 3 to 50 kg (FANUC CR-35iB).
 };
 
 /// What to ask of a recording whose motion, as stated, is `motion` (standing poses: of standingPoses()). Of a motion

@@ -1,5 +1,6 @@
 #include "core/conventions/check.h"
 #include "core/conventions/fit.h"
+#include "core/recording/frozen.h"
 #include "core/segmentation/user_marks.h"
 
 namespace heft::conventions {
@@ -11,6 +12,10 @@ Question questionOf(const Recording& recording, const Motion& motion) {
   out.stated = statedIn(recording.meta);
   // Where a recording has both, the motion comes from its poses: see motionOf().
   out.posesInFile = recording.hasOrientation();
+  const Conventions& c = out.stated.conventions;
+  if (c.wrenchAxes == Conventions::WrenchAxes::sensor && c.wrenchOrder == Conventions::WrenchOrder::forceFirst &&
+      c.wrenchPoint.kind == Conventions::WrenchPoint::Kind::sensor)
+    out.silent = silentChannels(recording.wrench);
   const bool marked = !recording.meta.marks.empty() || !recording.labels.empty();
   if (recording.meta.kind == RecordingKind::motion && marked)
     for (Eigen::Index k = 0; k < motion.size(); ++k)
@@ -21,7 +26,8 @@ Question questionOf(const Recording& recording, const Motion& motion) {
 LeftOver leftOver(const Question& question) {
   constexpr int kRounds = 8;
   const bool standing = question.kind == RecordingKind::poses;
-  const Blocks blocks = blocksOf(*question.motion, question.motion->wrench, question.use, standing);
+  Blocks blocks = blocksOf(*question.motion, question.motion->wrench, question.use, standing);
+  blocks.silent = question.silent;
   Way way;
   way.axes = kStated;
   Place place;

@@ -49,6 +49,10 @@ struct RobustFit {
       toF.push_back(10 + i);
       toT.push_back(13 + i);
     }
+    for (Eigen::Index c = 0; c < 3; ++c) {
+      if (!blocks.silent[static_cast<std::size_t>(c)]) heardF += 1.0;
+      if (!blocks.silent[static_cast<std::size_t>(3 + c)]) heardT += 1.0;
+    }
     for (Eigen::Index i = 0; i < extra; ++i) {
       toF.push_back(16 + i);
       toT.push_back(16 + i);
@@ -59,6 +63,7 @@ struct RobustFit {
     for (int round = 0; round <= rounds; ++round) {
       placeGravity();
       placeReadings();
+      leaveOutSilent();
       if (round == 0) startScales();
       solve(round == 0 ? 3 : 1);
       settle();
@@ -112,12 +117,20 @@ struct RobustFit {
     T.rightCols<1>() = Eigen::Map<const VectorXd>(torque.data(), 3 * K);
   }
 
+  /// Rows without a column and without a reading: nothing is left there, whatever is fitted.
+  void leaveOutSilent() {
+    for (Eigen::Index c = 0; c < 3; ++c) {
+      if (blocks.silent[static_cast<std::size_t>(c)]) F.middleRows(c * K, K).setZero();
+      if (blocks.silent[static_cast<std::size_t>(3 + c)]) T.middleRows(c * K, K).setZero();
+    }
+  }
+
   void startScales() {
-    const auto spread = [&](const MatrixXd& v) {
+    const auto spread = [&](const MatrixXd& v, double count) {
       return std::sqrt((v.rowwise() - v.colwise().mean()).squaredNorm() / count) + 1e-12;
     };
-    out.force = spread(force);
-    out.torque = spread(torque);
+    out.force = spread(force, countF());
+    out.torque = spread(torque, countT());
     floorF = kRounding * out.force;
     floorT = kRounding * out.torque;
   }
@@ -152,8 +165,8 @@ struct RobustFit {
       leftF = Eigen::Map<const MatrixXd>(rf.data(), K, 3);
       leftT = Eigen::Map<const MatrixXd>(rt.data(), K, 3);
       const VectorXd squareF = leftF.rowwise().squaredNorm(), squareT = leftT.rowwise().squaredNorm();
-      out.force = std::max(floorF, std::sqrt(weights.dot(squareF) / count));
-      out.torque = std::max(floorT, std::sqrt(weights.dot(squareT) / count));
+      out.force = std::max(floorF, std::sqrt(weights.dot(squareF) / countF()));
+      out.torque = std::max(floorT, std::sqrt(weights.dot(squareT) / countT()));
       distance = squareF / (out.force * out.force) + squareT / (out.torque * out.torque);
     }
   }
@@ -161,10 +174,11 @@ struct RobustFit {
   /// Scale and weights settle together.
   void settle() {
     for (int inner = 0; inner < 4; ++inner) {
-      weights = distance.unaryExpr([](double d) { return (kTailFreedom + 6.0) / (kTailFreedom + d); });
+      const double heard = heardF + heardT;
+      weights = distance.unaryExpr([heard](double d) { return (kTailFreedom + heard) / (kTailFreedom + d); });
       const VectorXd squareF = leftF.rowwise().squaredNorm(), squareT = leftT.rowwise().squaredNorm();
-      out.force = std::max(floorF, std::sqrt(weights.dot(squareF) / count));
-      out.torque = std::max(floorT, std::sqrt(weights.dot(squareT) / count));
+      out.force = std::max(floorF, std::sqrt(weights.dot(squareF) / countF()));
+      out.torque = std::max(floorT, std::sqrt(weights.dot(squareT) / countT()));
       distance = squareF / (out.force * out.force) + squareT / (out.torque * out.torque);
     }
   }
@@ -180,7 +194,8 @@ struct RobustFit {
 
   Fit result() {
     out.x = x.head<16>();
-    const double freedom = 2.0 * count / std::max(1.0, 2.0 * count - static_cast<double>(unknowns));
+    const double count = countF() + countT();
+    const double freedom = count / std::max(1.0, count - static_cast<double>(unknowns));
     const double lasts = blocks.rateHz > 0.0 ? std::max(lastingOf(leftF), lastingOf(leftT)) : 1.0;
     const MatrixXd covariance = freedom * lasts * inverse(A);
     out.covariance = covariance.topLeftCorner<16, 16>();
@@ -192,8 +207,9 @@ struct RobustFit {
     }
     double sum = 0.0;
     for (Eigen::Index k = 0; k < K; ++k) sum += std::log1p(distance(k) / kTailFreedom);
-    out.evidence = -2.0 * count * (std::log(out.force / way.forceSi) + std::log(out.torque / way.torqueSi)) -
-                   (kTailFreedom + 6.0) * sum - static_cast<double>(extra) * std::log(2.0 * count);
+    out.evidence =
+        -2.0 * (countF() * std::log(out.force / way.forceSi) + countT() * std::log(out.torque / way.torqueSi)) -
+        (kTailFreedom + heardF + heardT) * sum - static_cast<double>(extra) * std::log(count);
     out.weights = weights / weights.maxCoeff();
     out.left.resize(6, K);
     out.left << leftF.transpose(), leftT.transpose();
@@ -210,7 +226,10 @@ struct RobustFit {
   const Vector3d gravity;  ///< As stated
   const Eigen::Index K = blocks.size();
   const Eigen::Index extra = free == Free::nothing ? 0 : free == Free::gravity ? 2 : 3;
-  const double count = 3.0 * static_cast<double>(K);
+  /// Readings of force, and of torque.
+  double countF() const { return std::max(1.0, heardF * static_cast<double>(K)); }
+  double countT() const { return std::max(1.0, heardT * static_cast<double>(K)); }
+  double heardF = 0.0, heardT = 0.0;  ///< Channels that are not silent
   // Columns of force: m h | bias | free | reading; of torque: h I | bias | free | reading.
   const Eigen::Index nf = 4 + 3 + extra + 1, nt = 9 + 3 + extra + 1, unknowns = 16 + extra;
   std::vector<Eigen::Index> toF, toT;  ///< Which unknown each of these columns is of

@@ -63,6 +63,7 @@ Misfit misfitOf(const Blocks& blocks, const Fit& fit) {
   const double sum = std::max(1e-12, fit.weights.sum());
   double leftF = 0.0, leftT = 0.0, loadF = 0.0, loadT = 0.0, noiseF = 0.0;
   for (Eigen::Index c = 0; c < 6; ++c) {
+    if (blocks.silent[static_cast<std::size_t>(c)]) continue;
     const Eigen::RowVectorXd left = fit.left.row(c), load = fit.load.row(c);
     const double mean = load.dot(fit.weights.transpose()) / sum;
     out.left(c) = std::sqrt(left.cwiseAbs2().dot(fit.weights.transpose()) / sum);

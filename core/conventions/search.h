@@ -56,6 +56,7 @@ class Check {
   explicit Check(const Question& q) : q_(q), standing_(q.kind == RecordingKind::poses) {
     file_ = asInFile(*q.motion, q.stated.conventions);
     forms_.push_back({q.stated, blocksOf(*q.motion, file_, q.use, standing_)});
+    forms_.front().blocks.silent = q.silent;
     place_.gravity = q.stated.gravity;
   }
 

@@ -70,6 +70,26 @@ TEST(Conventions, PlainRecordingsAreAsStated) {
   }
 }
 
+/// What a dead channel holds is no misfit; of other conventions nothing is said, but for a sign that cannot be.
+TEST(Conventions, SilentChannelsAreNotCounted) {
+  const std::vector<std::vector<Eigen::Index>> silenced{{5}, {2}, {3, 5}, {3, 4, 5}, {0, 1}};
+  for (const std::uint64_t seed : {6, 7}) {
+    const Payload payload = toolOf(seed);
+    const Recording plain = guided(payload, seed);
+    for (const auto& channels : silenced) {
+      Recording recording = plain;
+      for (const Eigen::Index c : channels) recording.wrench.col(c).setConstant(0.5);
+      const Report report = checkOf(recording);
+      EXPECT_EQ(report.verdict, Verdict::asStated);
+      EXPECT_TRUE(report.ties.empty());
+      EXPECT_LT(report.statedMisfit.worst(), kFits);
+      EXPECT_NEAR(report.payload.mass, payload.mass, 0.02 * payload.mass);
+      recording.wrench *= -1.0;
+      EXPECT_EQ(checkOf(recording).verdict, Verdict::none);
+    }
+  }
+}
+
 TEST(Conventions, EachIsFoundInAMotion) {
   const std::uint64_t seed = 5;
   const Payload payload = toolOf(seed);
