@@ -1,5 +1,6 @@
 #pragma once
 // Long work that ends within a moment of being asked to, however deep inside it is.
+#include <atomic>
 #include <stop_token>
 
 #include "core/base/result.h"
@@ -31,6 +32,9 @@ constexpr int kRowsBetweenStops = 4096;
 
 /// Throws Stopped where the work is to stop. Costs some nanoseconds; stands wherever a tenth of a second may pass.
 void stopPoint();
+
+/// Told of each stopPoint() and the place of its call; null unless a benchmark measures how far apart they are.
+extern std::atomic<void (*)(const void* place)> stopObserver;
 
 /// What `work` returns, a Result, with stopPoint() obeying `stop`; the error "Stopped." where it did.
 template <class Work>

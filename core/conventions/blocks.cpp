@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/stop.h"
 #include "core/wrench/regressor.h"
 
 namespace heft::conventions {
@@ -36,6 +37,7 @@ Blocks blocksOf(const Motion& motion, const MatrixXd& file, const std::vector<bo
   }
   out.seen.resize(blocks, 6 * kSeen);
   for (Eigen::Index b = 0; b < blocks; ++b) {
+    stopPoint();
     const Eigen::Index start = starts[static_cast<std::size_t>(b)];
     Regressor Y = Regressor::Zero();
     Matrix3d R = Matrix3d::Zero();

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/stop.h"
 #include "core/estimation/noise_certainty.h"
 #include "core/math/linear_algebra.h"
 
@@ -101,15 +102,18 @@ FitRows rowsAt(int stride, const FitRowsQuestion& of, const std::optional<Wrench
   out.stride = stride;
   out.runs = of.runs;
   out.rows = narrowed(of.blocks, stride, out.runs);
+  stopPoint();
   const KnownOfNoise known = of.known.at(stride);
   LearnedNoise learned = withTaken(stride == 1 && of.learned ? *of.learned : learnedNoise(out.rows, out.runs, known),
                                    out.rows, out.runs, known);
   out.noise = std::move(learned.noise);
   out.weights = std::move(learned.weights);
   out.weighting = bounded(out.noise);
+  stopPoint();
   const ScoreEquations scores = scoreEquations(out.rows, out.noise, out.weighting, out.weights, out.runs);
   out.asWeighted = scores.whitened;
   out.whitened = honestTriangle(scores);
+  stopPoint();
   if (!difference) return out;
   std::vector<Run> same = of.runs;
   const Triangle noise =
@@ -137,6 +141,7 @@ bool mostlyMotion(const FitRows& band) {
 
 /// With standard deviations that hold although the noise was learned from the same rows.
 FitRows asCertain(FitRows band, const KnownOfNoise& known) {
+  stopPoint();
   band.whitened /= shortfallOfLearning(band.rows, band.noise, band.runs, known.at(band.stride));
   return band;
 }

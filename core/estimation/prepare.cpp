@@ -130,6 +130,7 @@ Understanding asStated(const Recording& recording) {
   if (!poses) out.trouble = sensorTrouble(recording);
   stopPoint();
   if (!poses) out.held = heldValues(recording.time, recording.wrench);
+  stopPoint();
   const double duration = poses ? static_cast<double>(recording.rows()) : recording.duration();
   out.steps = out.held.period > 0.0 ? readingSteps(recording.wrench(out.held.rows, Eigen::all), duration)
                                     : readingSteps(recording.wrench, duration);
@@ -216,6 +217,7 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
   out.motion = understood(std::move(*motion), as);
   out.cutoffHz = options.motion.smoothing == SmoothingKind::lowPass ? options.motion.cutoffHz : 0.0;
   out.blocks = blocksOf(out.motion, recording, as.held);
+  stopPoint();
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
   const bool deaf = std::ranges::find(options.silent, true) != options.silent.end();
   const auto segmented = [&] {
@@ -393,6 +395,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
                          const Progress& progress, bool checkConventions) {
   progress(0.1, heft::say("Computing the motion"));
   const auto finish = [&](Prepared prepared, const FitRows& fit) {
+    stopPoint();
     prepared.stride = fit.stride;
     prepared.folds = whitenedTriangles(fit.rows, fit.weighting, fit.weights, fit.runs, kFolds);
     prepared.whitened = fit.whitened;
@@ -410,6 +413,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
 
   Eigen::Index spikes = 0;
   std::optional<Recording> mended;
+  stopPoint();
   if (WrenchSamples wrench = withoutSpikes(recording.wrench, spikes); spikes > 0) {
     mended = recording;
     mended->wrench = std::move(wrench);
@@ -425,6 +429,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
   const Recording& cleaned = mended ? *mended : recording;
   EstimateOptions trial = options;
   const auto silent = silentChannels(cleaned.wrench);
+  stopPoint();
   const auto cut = mostlyCutOff(flatTops(cleaned.wrench), cleaned.rows());
   for (std::size_t c = 0; c < silent.size(); ++c) trial.silent[c] = trial.silent[c] || silent[c] || cut[c];
   const bool lowPass = options.motion.smoothing == SmoothingKind::lowPass;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/math/statistics.h"
 
 namespace heft {
@@ -156,6 +157,7 @@ std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, const
   for (int c = 0; c < 6; ++c) {
     const auto& limits = allLimits[static_cast<std::size_t>(c)];
     if (limits.empty()) continue;
+    stopPoint();
     std::vector<std::pair<Eigen::Index, double>> found;
     for (Eigen::Index i = 3; i + 3 < n; ++i) {
       const double limit = limits[static_cast<std::size_t>(i / part)];
@@ -202,12 +204,15 @@ WrenchSamples withoutSpikes(const WrenchSamples& wrench, Eigen::Index& replaced)
   std::vector<bool> touched(static_cast<std::size_t>(wrench.rows()), false);
   Limits leaps, spikes;
   for (int c = 0; c < 6; ++c) {
+    stopPoint();
     const auto at = static_cast<std::size_t>(c);
     leaps[at] = leapLimits(wrench.col(c), kPart);
     spikes[at] = spikeLimits(wrench.col(c), kPart, leaps[at]);
   }
+  stopPoint();
   // Where there are many, some hide one another.
   if (replaceSingles(out, spikes, leaps, kPart, touched) >= kMany) replaceSingles(out, spikes, leaps, kPart, touched);
+  stopPoint();
   if (bridgeDischarges(out, leaps, kPart, 1, touched) >= kMany) bridgeDischarges(out, leaps, kPart, 0, touched);
   replaced = std::count(touched.begin(), touched.end(), true);
   return out;

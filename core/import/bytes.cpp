@@ -12,6 +12,12 @@
 
 namespace heft {
 
+namespace {
+
+constexpr std::uint64_t kReadAhead = 8u << 10;  ///< [bytes] A dozen of a sensor's messages; more would read into pictures.
+
+}  // namespace
+
 struct ByteFile::Descriptor {
   explicit Descriptor(int opened) : number(opened) {}
   ~Descriptor() { ::close(number); }
@@ -46,6 +52,17 @@ std::string ByteFile::read(std::uint64_t offset, std::uint64_t count) const {
   }
   out.resize(done);
   return out;
+}
+
+std::string_view ByteWindow::view(std::uint64_t offset, std::uint64_t count) {
+  if (offset >= size_) return {};
+  count = std::min(count, size_ - offset);
+  if (file_ != nullptr && (offset < at_ || offset + count > at_ + bytes_.size())) {
+    read_ = file_->read(offset, std::max(count, kReadAhead));
+    bytes_ = read_;
+    at_ = offset;
+  }
+  return bytes_.substr(std::min<std::uint64_t>(offset - at_, bytes_.size()), count);
 }
 
 }  // namespace heft

@@ -75,4 +75,22 @@ class ByteFile {
   std::uint64_t size_ = 0;
 };
 
+/// Bytes of a file, or of the memory, a piece at a time: what is passed over is never read.
+class ByteWindow {
+ public:
+  explicit ByteWindow(const ByteFile& file) : file_(&file), size_(file.size()) {}
+  explicit ByteWindow(std::string_view bytes) : bytes_(bytes), size_(bytes.size()) {}
+
+  std::uint64_t size() const { return size_; }
+  /// `count` bytes from `offset`, fewer at the end. They hold until the next call.
+  std::string_view view(std::uint64_t offset, std::uint64_t count);
+
+ private:
+  const ByteFile* file_ = nullptr;
+  std::string read_;
+  std::string_view bytes_;  ///< From at_ on.
+  std::uint64_t at_ = 0;
+  std::uint64_t size_ = 0;
+};
+
 }  // namespace heft

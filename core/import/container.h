@@ -4,6 +4,7 @@
 // finding.
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -26,13 +27,19 @@ struct TopicInfo {
   std::string publisher;       ///< The node that sends, where the file knows it; else empty.
 };
 
+/// A message as it stands in the file: a picture that nobody wants is passed over without being read.
+struct MessageBody {
+  std::uint64_t size = 0;                   ///< [bytes]
+  std::function<std::string_view()> bytes;  ///< Reads them; fewer where the file is cut off.
+};
+
 class MessageListener {
  public:
   virtual ~MessageListener() = default;
   /// `id` is unique within one scan.
   virtual void topic(std::uint64_t id, const TopicInfo& info) = 0;
-  /// `received`: when the recorder got it [ns]. The bytes hold during the call only. False stops the scan.
-  virtual bool message(std::uint64_t id, std::int64_t received, std::string_view bytes) = 0;
+  /// `received`: when the recorder got it [ns]. The body holds during the call only. False stops the scan.
+  virtual bool message(std::uint64_t id, std::int64_t received, const MessageBody& body) = 0;
 };
 
 /// Each returns true, or why the file cannot be read at all.

@@ -1,6 +1,8 @@
 // MCAP (mcap.dev/spec): records of an opcode, a length of 64 bits and content, little-endian, between two magics. A
 // scan from the front that stops at DataEnd needs no index, so that files without a summary are read, too.
+#include <algorithm>
 #include <map>
+#include <optional>
 
 #include "core/base/say.h"
 #include "core/base/text.h"
@@ -16,6 +18,9 @@ namespace {
 
 constexpr std::string_view kMcapMagic = "\x89MCAP0\r\n";
 constexpr std::uint64_t kLargestRecord = 1u << 30;
+constexpr std::uint64_t kHeadOfRecord = 1 + 8;           ///< [bytes] Opcode and length.
+constexpr std::uint64_t kHeadOfMessage = 2 + 4 + 8 + 8;  ///< [bytes] Channel, sequence, logged, published.
+constexpr std::uint64_t kLongestHeadOfChunk = 1u << 10;  ///< [bytes] Its one text is the compression's name.
 constexpr std::size_t kLargestMcapChunk = 1u << 30;
 
 enum McapOp : unsigned char {
@@ -36,38 +41,27 @@ class McapScan {
       : file_(file), name_(std::move(name)), listener_(listener), findings_(findings) {}
 
   Result<bool> run(const Progress& progress) {
+    ByteWindow bytes(file_);
     std::uint64_t at = kMcapMagic.size();
     bool ended = false;
     while (!stopped_ && !ended) {
       if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
       progress(static_cast<double>(at) / static_cast<double>(file_.size()), "reading");
-      const auto head = file_.read(at, 9);
-      if (head.size() < 9) {
+      const auto record = recordAt(bytes, at, bytes.size());
+      if (!record) {
         cutOff(at);
         break;
       }
-      ByteReader reader(head);
-      const auto op = reader.read<std::uint8_t>();
-      const auto length = reader.read<std::uint64_t>();
-      ended = op == kMcapDataEnd;
-      const bool wanted = op == kMcapSchema || op == kMcapChannel || op == kMcapMessage || op == kMcapChunk;
-      const std::uint64_t left = file_.size() - at - 9;
-      if (length > left && (!wanted || length > kLargestRecord)) {
+      ended = record->op == kMcapDataEnd;
+      if (record->op == kMcapChunk)
+        chunk(bytes, *record, progress);
+      else if (record->whole)
+        entry(bytes, *record);
+      if (!record->whole) {
         cutOff(at);
         break;
       }
-      if (wanted && length <= kLargestRecord) {
-        const auto content = file_.read(at + 9, length);
-        if (op == kMcapChunk)
-          chunk(content, progress);
-        else if (content.size() == length)
-          record(op, content);
-        if (content.size() < length) {
-          cutOff(at);
-          break;
-        }
-      }
-      at += 9 + length;
+      at = record->at + record->size;
     }
     if (badChunks_ > 0)
       note("chunk_damaged",
@@ -94,46 +88,70 @@ class McapScan {
                                    at, file_.size()));
   }
 
-  void chunk(std::string_view content, const Progress& progress) {
-    ByteReader reader(content);
-    reader.take(8 + 8);  // first and last time
-    reader.read<std::uint64_t>();
-    reader.read<std::uint32_t>();  // checksum
-    const auto compression = reader.text();
+  struct Record {
+    unsigned char op = 0;
+    std::uint64_t at = 0, size = 0;  ///< Of its content.
+    bool whole = true;               ///< False: the bytes end before it does.
+  };
+
+  /// The record at `at`, where its head ends before `end`.
+  static std::optional<Record> recordAt(ByteWindow& bytes, std::uint64_t at, std::uint64_t end) {
+    if (at > end || end - at < kHeadOfRecord) return std::nullopt;
+    const auto head = bytes.view(at, kHeadOfRecord);
+    if (head.size() < kHeadOfRecord) return std::nullopt;
+    ByteReader reader(head);
+    const auto op = reader.read<std::uint8_t>();
+    const auto length = reader.read<std::uint64_t>();
+    return Record{op, at + kHeadOfRecord, length, length <= end - at - kHeadOfRecord};
+  }
+
+  void chunk(ByteWindow& bytes, const Record& chunk, const Progress& progress) {
+    // A chunk that is cut off in the file still gives its beginning.
+    const auto end = chunk.whole ? chunk.at + chunk.size : bytes.size();
+    constexpr std::uint64_t kBeforeCompression = 8 + 8 + 8 + 4;  // First and last time, size unpacked, checksum
+    ByteReader reader(bytes.view(chunk.at, std::min<std::uint64_t>(end - chunk.at, kLongestHeadOfChunk)));
+    reader.take(kBeforeCompression);
+    const std::string compression(reader.text());
     const auto length = reader.read<std::uint64_t>();
     if (!reader.ok()) {
       ++badChunks_;
       return;
     }
-    // A chunk that is cut off in the file still gives its beginning.
-    const auto packed = reader.take(std::min<std::uint64_t>(length, reader.remaining()));
-    bool complete = packed.size() == length;
+    const auto at = chunk.at + reader.position();
+    const auto packed = std::min(length, end - at);
+    bool complete = packed == length;
     if (compression.empty()) {
-      complete = records(packed) && complete;
+      complete = records(bytes, at, at + packed) && complete;
+    } else if (packed > kLargestRecord) {
+      complete = false;
     } else if (compression == "zstd" || compression == "lz4") {
-      const auto unpacked = unpack(packed, compression == "zstd" ? Compression::zstd : Compression::lz4,
+      const auto unpacked = unpack(bytes.view(at, packed), compression == "zstd" ? Compression::zstd : Compression::lz4,
                                    budget_.most(kLargestMcapChunk), progress);
       if (!budget_.spend(unpacked.bytes.size())) return stopAtBudget();
-      complete = records(unpacked.bytes) && unpacked.complete && complete;
+      ByteWindow inside(unpacked.bytes);
+      complete = records(inside, 0, inside.size()) && unpacked.complete && complete;
     } else {
       unknownCompression_ = printable(compression);
     }
     if (!complete) ++badChunks_;
   }
 
-  bool records(std::string_view data) {
-    ByteReader reader(data);
-    while (!reader.atEnd() && !stopped_) {
-      const auto op = reader.read<std::uint8_t>();
-      const auto content = reader.take(reader.read<std::uint64_t>());
-      if (!reader.ok()) return false;
-      record(op, content);
+  /// Those from `at` to `end`; false where one is not whole.
+  bool records(ByteWindow& bytes, std::uint64_t at, std::uint64_t end) {
+    while (at < end && !stopped_) {
+      const auto record = recordAt(bytes, at, end);
+      if (!record || !record->whole) return false;
+      entry(bytes, *record);
+      at = record->at + record->size;
     }
     return true;
   }
 
-  void record(unsigned char op, std::string_view content) {
-    ByteReader reader(content);
+  /// A schema, a channel or a message.
+  void entry(ByteWindow& bytes, const Record& record) {
+    const auto op = record.op;
+    if ((op != kMcapSchema && op != kMcapChannel && op != kMcapMessage) || record.size > kLargestRecord) return;
+    ByteReader reader(bytes.view(record.at, op == kMcapMessage ? std::min(record.size, kHeadOfMessage) : record.size));
     if (op == kMcapSchema) {
       const auto id = reader.read<std::uint16_t>();
       Schema schema;
@@ -168,7 +186,9 @@ class McapScan {
       // Later than 2262 is no time; the listener drops it as such.
       const auto time =
           logged < static_cast<std::uint64_t>(kLargestStamp) ? static_cast<std::int64_t>(logged) : kLargestStamp;
-      if (reader.ok()) stopped_ = !listener_.message(channel, time, content.substr(reader.position()));
+      if (!reader.ok()) return;
+      const auto bodyAt = record.at + kHeadOfMessage, bodySize = record.size - kHeadOfMessage;
+      stopped_ = !listener_.message(channel, time, {bodySize, [&] { return bytes.view(bodyAt, bodySize); }});
     }
   }
 

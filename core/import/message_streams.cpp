@@ -1,8 +1,8 @@
 // From messages to streams of numbers.
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
 #include <unordered_map>
 
 #include "core/base/say.h"
@@ -17,7 +17,8 @@ namespace heft {
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kAlwaysLookedAt = 16u << 10;  ///< [bytes]
+constexpr std::size_t kAlwaysLookedAt = 16u << 10;     ///< [bytes]
+constexpr std::size_t kBytesPerNumberOfPicture = 128;  ///< At least: in messages of numbers alone 8, as text about 30.
 
 /// One topic's messages on their way to a stream.
 class TopicReader {
@@ -51,7 +52,7 @@ class TopicReader {
   }
 
   /// How many numbers it added.
-  std::size_t add(std::int64_t received, std::string_view bytes, const FieldFilter& filter, std::uint64_t connection) {
+  std::size_t add(std::int64_t received, const MessageBody& body, const FieldFilter& filter, std::uint64_t connection) {
     if (!isSoundStamp(received)) {
       ++timeless_;
       return 0;
@@ -60,9 +61,9 @@ class TopicReader {
     stream_.first = std::min(stream_.first, received);
     stream_.last = std::max(stream_.last, received);
     if (!problem_.empty()) return 0;
-    // A list needs the fields of all messages: names and lengths vary where several nodes send. Large messages are
-    // pictures and the like; those are looked at where their size is new.
-    if (!filter && decoded_ && bytes.size() > kAlwaysLookedAt && !sizes_.insert(bytes.size()).second) return 0;
+    // Names and lengths vary where several nodes send, so that all messages are looked at, but pictures and the like.
+    if (picture_ && selected_ == 0 && body.size > kAlwaysLookedAt) return 0;
+    const std::string_view bytes = body.bytes();
     const bool sound = decoder_ ? decoder_->decode(bytes) : decodeJson(bytes);
     if (!sound) {
       if (encoding_ == PayloadEncoding::cdr && bytes.size() >= 4 && bytes[0] == 0 && bytes[1] > 1) ++otherCdr_;
@@ -75,6 +76,7 @@ class TopicReader {
     const bool fresh = !decoded_ || renamed;
     if (fresh) learn(names, filter);
     decoded_ = true;
+    picture_ = bytes.size() > std::max(kAlwaysLookedAt, kBytesPerNumberOfPicture * values.size());
     if (!filter || selected_ == 0) return 0;
     stream_.received.push_back(received);
     stream_.stamps.push_back(soundStamp(decoder_ ? decoder_->stamp() : jsonStamp_));
@@ -164,7 +166,7 @@ class TopicReader {
   int sender_ = -1;
   std::map<std::uint64_t, std::string> publishers_;
   std::map<std::pair<std::uint64_t, std::vector<std::string>>, int> senders_;
-  std::set<std::size_t> sizes_;  ///< Of large messages that were looked at.
+  bool picture_ = false;  ///< The last message that was looked at was large and held next to no numbers.
   std::size_t selected_ = 0;
   std::unordered_map<std::string, std::size_t> byName_;
   std::vector<bool> wanted_;
@@ -188,13 +190,13 @@ class Collector : public MessageListener {
     readers_[entry->second].connect(id, info.publisher);
   }
 
-  bool message(std::uint64_t id, std::int64_t received, std::string_view bytes) override {
+  bool message(std::uint64_t id, std::int64_t received, const MessageBody& body) override {
     const auto found = byId_.find(id);
     if (found == byId_.end()) {
       ++homeless_;
       return true;
     }
-    numbers_ += readers_[found->second].add(received, bytes, filter_, id);
+    numbers_ += readers_[found->second].add(received, body, filter_, id);
     return numbers_ <= kMaxStreamNumbers;
   }
 

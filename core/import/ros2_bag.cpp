@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/json_file.h"
@@ -50,8 +51,12 @@ class SqliteScan {
     sqlite3_exec(database, "PRAGMA cell_size_check = ON", nullptr, nullptr, nullptr);
     readDefinitions(database);
     const auto topics = prepare(database, "SELECT id, name, type, serialization_format FROM topics");
-    const auto messages = prepare(database, "SELECT topic_id, timestamp, data FROM messages ORDER BY id");
-    if (!topics || !messages)
+    // Of a large message only the length is asked for, which SQLite knows without reading it.
+    const auto messages = prepare(database,
+                                  "SELECT topic_id, timestamp, CASE WHEN length(data) <= 16384 THEN data END, id, "
+                                  "length(data) FROM messages ORDER BY id");
+    const auto large = prepare(database, "SELECT data FROM messages WHERE id = ?");
+    if (!topics || !messages || !large)
       return errorAt({name_, 0, 0},
                      heft::say("this database holds no ROS 2 bag ({}).", printable(sqlite3_errmsg(database))),
                      heft::say("A bag has the tables topics and messages."));
@@ -65,37 +70,20 @@ class SqliteScan {
       listener_.topic(static_cast<std::uint64_t>(sqlite3_column_int64(topics.get(), 0)), info);
     }
     std::size_t count = 0;
-    std::size_t damaged = 0;
     if (state == SQLITE_DONE) {
-      while ((state = sqlite3_step(messages.get())) == SQLITE_ROW) {
+      while ((state = sqlite3_step(messages.get())) == SQLITE_ROW && !stopped_) {
         if (++count % 1024 == 0) {
           if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
           progress(0.5, "reading");
         }
-        const auto id = static_cast<std::uint64_t>(sqlite3_column_int64(messages.get(), 0));
-        const auto time = static_cast<std::int64_t>(sqlite3_column_int64(messages.get(), 1));
-        const auto data = blob(messages.get(), 2);
-        bool more = true;
-        if (looksLikeZstd(data)) {
-          const auto unpacked = unpack(data, Compression::zstd, budget_.most(kLargestMessage), progress);
-          if (!budget_.spend(unpacked.bytes.size())) {
-            findings_.push_back({Severity::warning, "file_too_large", budgetText(fileSize_), {}, {name_, 0, 0}});
-            return true;
-          }
-          if (unpacked.complete)
-            more = listener_.message(id, time, unpacked.bytes);
-          else
-            ++damaged;
-        } else {
-          more = listener_.message(id, time, data);
-        }
-        if (!more) return true;
+        message(messages.get(), large.get(), progress);
       }
     }
-    if (damaged > 0)
+    if (stopped_) return true;
+    if (damaged_ > 0)
       findings_.push_back({Severity::warning,
                            "message_damaged",
-                           heft::say("{} of {} messages cannot be unpacked and were left out.", damaged, count),
+                           heft::say("{} of {} messages cannot be unpacked and were left out.", damaged_, count),
                            {},
                            {name_, 0, 0}});
     if (state != SQLITE_DONE)
@@ -111,6 +99,38 @@ class SqliteScan {
  private:
   static std::string plainTypeNameOf(std::string_view type) { return printable(plainTypeName(type), 200); }
 
+  void message(sqlite3_stmt* row, sqlite3_stmt* large, const Progress& progress) {
+    const auto id = static_cast<std::uint64_t>(sqlite3_column_int64(row, 0));
+    const auto time = static_cast<std::int64_t>(sqlite3_column_int64(row, 1));
+    const auto size = static_cast<std::uint64_t>(sqlite3_column_int64(row, 4));
+    const auto readLarge = [&] {
+      sqlite3_reset(large);
+      sqlite3_bind_int64(large, 1, sqlite3_column_int64(row, 3));
+      return sqlite3_step(large) == SQLITE_ROW ? content(blob(large, 0), progress).value_or("") : std::string_view();
+    };
+    bool more = true;
+    if (sqlite3_column_type(row, 2) == SQLITE_NULL && size > 0)
+      more = listener_.message(id, time, {size, readLarge});
+    else if (const auto bytes = content(blob(row, 2), progress))
+      more = listener_.message(id, time, {bytes->size(), [&] { return *bytes; }});
+    stopped_ = stopped_ || !more;
+  }
+
+  /// A message's bytes, unpacked; they hold until the next call. Nothing where they cannot be.
+  std::optional<std::string_view> content(std::string_view data, const Progress& progress) {
+    if (!looksLikeZstd(data)) return data;
+    unpacked_ = unpack(data, Compression::zstd, budget_.most(kLargestMessage), progress);
+    if (!budget_.spend(unpacked_.bytes.size())) {
+      findings_.push_back({Severity::warning, "file_too_large", budgetText(fileSize_), {}, {name_, 0, 0}});
+      stopped_ = true;
+    } else if (unpacked_.complete) {
+      return unpacked_.bytes;
+    } else {
+      ++damaged_;
+    }
+    return std::nullopt;
+  }
+
   /// Newer bags hold the definitions of their types.
   void readDefinitions(sqlite3* database) {
     const auto rows = prepare(
@@ -125,6 +145,9 @@ class SqliteScan {
   MessageListener& listener_;
   Findings& findings_;
   UnpackBudget budget_{fileSize_};
+  Unpacked unpacked_;
+  std::size_t damaged_ = 0;
+  bool stopped_ = false;
   std::map<std::string, std::string> definitions_;
 };
 
@@ -214,8 +237,8 @@ class Renumbering : public MessageListener {
   void nextFile() { ++file_; }
   bool stopped() const { return stopped_; }
   void topic(std::uint64_t id, const TopicInfo& info) override { next_.topic(numbered(id), info); }
-  bool message(std::uint64_t id, std::int64_t received, std::string_view bytes) override {
-    stopped_ = !next_.message(numbered(id), received, bytes);
+  bool message(std::uint64_t id, std::int64_t received, const MessageBody& body) override {
+    stopped_ = !next_.message(numbered(id), received, body);
     return !stopped_;
   }
 

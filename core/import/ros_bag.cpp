@@ -1,5 +1,6 @@
 // ROS 1 bag, format 2.0 (wiki.ros.org/Bags/Format/2.0): records of a header (fields name=value) and data, both after
 // their length of 32 bits, little-endian. Messages stand in chunks, which may be compressed, or between them.
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -57,35 +58,50 @@ class BagScan {
       : file_(file), name_(std::move(name)), listener_(listener), findings_(findings) {}
 
   Result<bool> run(const Progress& progress) {
-    std::uint64_t at = kMagic.size();
-    while (at < file_.size() && !stopped_) {
-      if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
-      progress(static_cast<double>(at) / static_cast<double>(file_.size()), "reading");
-      const auto lengthBytes = file_.read(at, 4);
-      const auto headerLength = ByteReader(lengthBytes).read<std::uint32_t>();
-      if (lengthBytes.size() < 4 || headerLength > kLongestHeader) return cutOff(at);
-      const auto header = file_.read(at + 4, std::uint64_t{headerLength} + 4);
-      if (header.size() < std::uint64_t{headerLength} + 4) return cutOff(at);
-      const auto dataLength = ByteReader(std::string_view(header).substr(headerLength)).read<std::uint32_t>();
-      const RecordFields fields(std::string_view(header).substr(0, headerLength));
-      const auto op = fields.number<unsigned char>("op");
-      if (!fields.ok() || !op) return cutOff(at);
-      const std::uint64_t dataAt = at + 8 + headerLength;
-      at = dataAt + dataLength;
-      if (*op == kChunk || *op == kMessage || *op == kConnection) {
-        if (dataLength > kLargestChunk) return cutOff(dataAt);
-        const auto data = file_.read(dataAt, dataLength);
-        if (*op == kChunk)
-          chunk(fields, data, progress);
-        else
-          record(*op, fields, data);
-      }
-      if (at > file_.size()) return cutOff(dataAt);
-    }
-    return finish();
+    ByteWindow bytes(file_);
+    const auto broken = records(bytes, kMagic.size(), file_.size(), [&](const Record& record) {
+      progress(static_cast<double>(record.at) / static_cast<double>(file_.size()), "reading");
+      if (record.op == kChunk)
+        chunk(bytes, record, progress);
+      else
+        entry(bytes, record);
+      cancelled_ = progress.cancelled();
+    });
+    if (cancelled_) return Error{heft::say("Reading was stopped."), true};
+    return broken ? cutOff(*broken) : finish();
   }
 
  private:
+  struct Record {
+    unsigned char op = 0;
+    const RecordFields& fields;
+    std::uint64_t at = 0, size = 0;  ///< Of its data.
+    bool whole = true;               ///< False: the bytes end before it does.
+  };
+
+  /// Calls `act` with each record from `at` to `end`. Where one is damaged or ends later, the place of that.
+  template <class Act>
+  std::optional<std::uint64_t> records(ByteWindow& bytes, std::uint64_t at, std::uint64_t end, const Act& act) {
+    while (at < end && !stopped_ && !cancelled_) {
+      const auto lengthBytes = bytes.view(at, 4);
+      const auto headerLength = ByteReader(lengthBytes).read<std::uint32_t>();
+      if (lengthBytes.size() < 4 || headerLength > kLongestHeader) return at;
+      // A copy, as the window moves on.
+      const std::string header(bytes.view(at + 4, std::uint64_t{headerLength} + 4));
+      if (header.size() < std::uint64_t{headerLength} + 4) return at;
+      const auto dataLength = ByteReader(std::string_view(header).substr(headerLength)).read<std::uint32_t>();
+      const RecordFields fields(std::string_view(header).substr(0, headerLength));
+      const auto op = fields.number<unsigned char>("op");
+      if (!fields.ok() || !op) return at;
+      const std::uint64_t dataAt = at + 8 + headerLength;
+      at = dataAt + dataLength;
+      if (dataLength > kLargestChunk && (*op == kMessage || *op == kConnection)) return dataAt;
+      act(Record{*op, fields, dataAt, dataLength, at <= end});
+      if (at > end) return dataAt;
+    }
+    return std::nullopt;
+  }
+
   Result<bool> cutOff(std::uint64_t at) {
     findings_.push_back(
         {Severity::warning,
@@ -107,61 +123,55 @@ class BagScan {
     return true;
   }
 
-  void chunk(const RecordFields& fields, std::string_view data, const Progress& progress) {
-    const auto compression = fields.text("compression");
+  void chunk(ByteWindow& bytes, const Record& chunk, const Progress& progress) {
+    const auto act = [this](ByteWindow& inside) {
+      return [this, &inside](const Record& record) {
+        if (record.whole) entry(inside, record);
+      };
+    };
+    const auto compression = chunk.fields.text("compression");
     if (compression == "none") {
-      if (!records(data)) ++badChunks_;
+      const auto end = std::min(chunk.at + chunk.size, bytes.size());
+      if (records(bytes, chunk.at, end, act(bytes))) ++badChunks_;
       return;
     }
     const bool bz2 = compression == "bz2";
-    if (!bz2 && compression != "lz4") {
+    if ((!bz2 && compression != "lz4") || chunk.size > kLargestChunk) {
       ++badChunks_;
       return;
     }
-    const auto unpacked =
-        unpack(data, bz2 ? Compression::bz2 : Compression::lz4, budget_.most(kLargestChunk), progress);
+    const auto unpacked = unpack(bytes.view(chunk.at, chunk.size), bz2 ? Compression::bz2 : Compression::lz4,
+                                 budget_.most(kLargestChunk), progress);
     if (!budget_.spend(unpacked.bytes.size())) {
       stopped_ = true;
       findings_.push_back({Severity::warning, "file_too_large", budgetText(file_.size()), {}, {name_, 0, 0}});
       return;
     }
-    if (!records(unpacked.bytes) || !unpacked.complete) ++badChunks_;
+    ByteWindow inside(unpacked.bytes);
+    if (records(inside, 0, inside.size(), act(inside)) || !unpacked.complete) ++badChunks_;
   }
 
-  /// The records of a chunk; false if they end in the middle of one.
-  bool records(std::string_view data) {
-    ByteReader reader(data);
-    while (!reader.atEnd() && !stopped_) {
-      const auto header = reader.text();
-      const auto content = reader.text();
-      if (!reader.ok()) return false;
-      const RecordFields fields(header);
-      const auto op = fields.number<unsigned char>("op");
-      if (!fields.ok() || !op) return false;
-      record(*op, fields, content);
-    }
-    return true;
-  }
-
-  void record(unsigned char op, const RecordFields& fields, std::string_view data) {
-    const auto connection = fields.number<std::uint32_t>("conn");
+  /// A connection or a message.
+  void entry(ByteWindow& bytes, const Record& record) {
+    const auto connection = record.fields.number<std::uint32_t>("conn");
     if (!connection) return;
-    if (op == kConnection) {
-      const RecordFields inner(data);
+    if (record.op == kConnection) {
+      const RecordFields inner(bytes.view(record.at, record.size));
       TopicInfo info;
-      info.name = printable(fields.text("topic"), 200);
+      info.name = printable(record.fields.text("topic"), 200);
       info.type = printable(inner.text("type"), 200);
       info.definition = inner.text("message_definition");
       info.encoding = PayloadEncoding::ros1;
       info.publisher = printable(inner.text("callerid"), 100);
       listener_.topic(*connection, info);
-    } else if (op == kMessage) {
-      const auto time = fields.text("time");
+    } else if (record.op == kMessage) {
+      const auto time = record.fields.text("time");
       if (time.size() != 8) return;
       ByteReader reader(time);
       const auto seconds = static_cast<std::int64_t>(reader.read<std::uint32_t>());
       const auto nanoseconds = static_cast<std::int64_t>(reader.read<std::uint32_t>());
-      stopped_ = !listener_.message(*connection, seconds * 1000000000 + nanoseconds, data);
+      stopped_ = !listener_.message(*connection, seconds * 1000000000 + nanoseconds,
+                                    {record.size, [&] { return bytes.view(record.at, record.size); }});
     }
   }
 
@@ -172,6 +182,7 @@ class BagScan {
   UnpackBudget budget_{file_.size()};
   std::size_t badChunks_ = 0;
   bool stopped_ = false;
+  bool cancelled_ = false;
 };
 
 }  // namespace

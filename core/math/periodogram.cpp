@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/stop.h"
+
 namespace heft {
 
 Eigen::MatrixXd taperedPower(const Eigen::MatrixXd& x, Eigen::Index lines) {
@@ -19,9 +21,11 @@ Eigen::MatrixXd taperedPower(const Eigen::MatrixXd& x, Eigen::Index lines) {
   Eigen::MatrixXd out(x.rows(), lines);
   Eigen::VectorXd c(length), s(length);
   for (Eigen::Index k = 1; k <= lines; ++k) {
-    for (Eigen::Index n = 0, at = 0; n < length; ++n, at = (at + k) % length) {
+    stopPoint();
+    for (Eigen::Index n = 0, at = 0; n < length; ++n) {
       c(n) = cosine(at);
       s(n) = sine(at);
+      for (at += k; at >= length;) at -= length;
     }
     out.col(k - 1) = (tapered * c).cwiseAbs2() + (tapered * s).cwiseAbs2();
   }

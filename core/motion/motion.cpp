@@ -229,7 +229,9 @@ Derivatives withReportedVelocity(Smoother& smoother, const Gridded& positions, c
                                  const std::string& what, Findings& findings) {
   Derivatives fromPositions = smoother.run(positions, 2);
   if (velocities.values.rows() == 0) return fromPositions;
+  stopPoint();
   Derivatives fromVelocities = smoother.run(velocities, 1);
+  stopPoint();
   const double energy = fromPositions.second.squaredNorm();
   const Channels excess = fromVelocities.value - fromPositions.first;
   const double lag = energy > 0.0 ? -excess.cwiseProduct(fromPositions.second).sum() / energy : 0.0;

@@ -32,7 +32,9 @@ struct Missing {
 
 class RecordingParser {
  public:
-  RecordingParser(std::string_view csv, const std::string& name, RecordingMeta meta) : csv_(csv), name_(name) {
+  /// `passing`: as of csv::Header.
+  RecordingParser(std::string_view csv, const std::string& name, RecordingMeta meta, bool passing = false)
+      : csv_(csv), name_(name), passing_(passing) {
     recording_.file = name;
     recording_.meta = std::move(meta);
   }
@@ -41,6 +43,7 @@ class RecordingParser {
     auto header = csv::readHeader(csv_, name_);
     if (!header) return header.error();
     header_ = std::move(*header);
+    header_.passing = passing_;
     auto map = mapColumns(header_.names, recording_.meta, {name_, header_.line, 0}, findings_);
     if (!map) return map.error();
     map_ = std::move(*map);
@@ -282,6 +285,7 @@ class RecordingParser {
 
   const std::string_view csv_;
   const std::string& name_;
+  const bool passing_;
   Recording recording_;
   Findings findings_;
   csv::Header header_;
@@ -409,7 +413,7 @@ Result<ReadRecording> readRecording(const std::filesystem::path& csv, const Read
         heft::say("Split it, or keep fewer columns and a lower rate."));
   progress(0.0, "reading");
   if (auto misfit = noTable(csv, name)) return *misfit;
-  const auto text = readTextFile(csv, kMaxRecordingBytes);
+  auto text = readTextFile(csv, kMaxRecordingBytes);
   if (!text) return text.error();
 
   Findings findings;
@@ -430,7 +434,8 @@ Result<ReadRecording> readRecording(const std::filesystem::path& csv, const Read
     meta = std::move(*read);
   }
   if (!options.robot.empty()) meta.robot = options.robot;
-  auto result = parseRecording(*text, name, std::move(meta), progress);
+  // An hour's text is a gigabyte: its pages go as those of the numbers come.
+  auto result = RecordingParser(*text, name, std::move(meta), true).parse(progress);
   if (result) result->findings.insert(result->findings.begin(), findings.begin(), findings.end());
   return result;
 }

@@ -1,5 +1,8 @@
 #include "core/recording/csv_table.h"
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -151,6 +154,7 @@ class RowReader {
         separator_(header.separator),
         newline_(header.newline),
         at_(header.body.data()),
+        kept_(at_),
         end_(at_ + header.body.size()) {}
 
   Result<Rows> read(const Progress& progress) {
@@ -166,6 +170,7 @@ class RowReader {
       if (blankLine != 0 && rows_.firstBlankLine == 0) rows_.firstBlankLine = blankLine;
       if (auto failure = readRow()) return *failure;
       if (rows_.lines.size() % 65536 == 65535) {
+        if (header_.passing) giveBack();
         if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
         progress(static_cast<double>(at_ - header_.body.data()) / static_cast<double>(header_.body.size()), "reading");
       }
@@ -174,6 +179,16 @@ class RowReader {
   }
 
  private:
+  /// To the system, the pages that were read since.
+  void giveBack() {
+    static const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
+    const auto from = (reinterpret_cast<std::uintptr_t>(kept_) + page - 1) / page * page;
+    const auto to = reinterpret_cast<std::uintptr_t>(at_) / page * page;
+    if (to <= from) return;
+    ::madvise(reinterpret_cast<void*>(from), to - from, MADV_DONTNEED);
+    kept_ = at_;
+  }
+
   void skipBlanks() {
     while (at_ != end_ && *at_ != separator_ && *at_ != newline_ && isBlank(*at_)) ++at_;
   }
@@ -261,6 +276,7 @@ class RowReader {
   const char separator_;
   const char newline_;
   const char* at_;
+  const char* kept_;  ///< What stands before may have been given back.
   const char* const end_;
   long line_ = 0;
   Rows rows_;

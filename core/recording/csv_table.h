@@ -21,6 +21,7 @@ struct Header {
   long line = 1;                   ///< Where the header stands.
   std::vector<std::string> names;  ///< Without quotes and outer blanks; as many as a row has cells.
   std::string_view body;           ///< All that follows the header's line.
+  bool passing = false;            ///< Nobody looks at the body again: its memory is given back as rows are read.
 };
 
 /// Finds header and separator; fails for what is no text table at all (empty, binary, a known other format, no header).

@@ -48,6 +48,7 @@ std::vector<Level> levelsFromEnd(std::vector<double> values, const Further& furt
   const double spikes = kBeyond * static_cast<double>(values.size());
   std::vector<Level> out;
   double taken = 0.0;
+  stopPoint();
   std::size_t neighbours = kNeighbours;
   std::make_heap(values.begin(), values.end(), further);
   for (; !values.empty(); values.pop_back(), taken += 1.0) {
@@ -87,6 +88,7 @@ std::vector<FlatTop> flatTops(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wr
   for (Eigen::Index i = 0; i < wrench.rows(); ++i)
     if (!wrench.row(i).isZero(0.0) && (i == 0 || wrench.row(i) != wrench.row(i - 1))) fresh.push_back(i);
   if (fresh.size() < 20) return out;
+  stopPoint();
   for (int c = 0; c < 6; ++c) {
     stopPoint();
     std::vector<double> values;

@@ -1,4 +1,5 @@
-// Time and memory against a recording's length: `length_table HEFT FOLDER [estimate|diagnose] [SECONDS ...]`.
+// Time and memory of estimate and diagnose against a recording's length:
+// `length_table HEFT FOLDER [estimate|diagnose] [SECONDS ...]`.
 // Each length is simulated once at 1 kHz and kept in FOLDER. The reference stands for the limit: a program that maps
 // the file, turns each number into a double once and adds up normal equations of 17 columns.
 #include <fcntl.h>
@@ -9,6 +10,7 @@
 #include <unistd.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
@@ -76,10 +78,11 @@ Cost costOf(const std::vector<std::string>& command) {
           WIFEXITED(status) && WEXITSTATUS(status) <= 1};
 }
 
-void printRow(const std::string& what, const Cost& cost, const Cost& reference) {
-  fmt::print("| {} | {:.2f} | {:.2f} | {:.1f} | {:.0f} |\n", what, cost.seconds, cost.processor,
+void printRow(const std::string& length, const std::string& what, const Cost& cost, const Cost& reference) {
+  fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.1f} | {:.0f} |\n", length, what, cost.seconds, cost.processor,
              cost.processor / reference.processor, cost.megabytes);
   std::fflush(stdout);
+  if (!cost.worked) fmt::print(stderr, "{}: {} failed\n", length, what);
 }
 
 }  // namespace
@@ -91,11 +94,15 @@ int main(int count, char** arguments) {
     fmt::print(stderr, "length_table HEFT FOLDER [estimate|diagnose] [SECONDS ...]\n");
     return 2;
   }
-  const std::string heft = given[0], what = given.size() > 2 ? given[2] : "estimate";
-  std::vector<std::string> lengths(given.begin() + std::min<std::ptrdiff_t>(3, std::ssize(given)), given.end());
-  if (lengths.empty()) lengths = {"20", "60", "600", "3600", "10800"};
+  const std::string heft = given[0];
+  std::vector<std::string> commands{"estimate", "diagnose"}, lengths(given.begin() + 2, given.end());
+  if (!lengths.empty() && std::ranges::count(commands, lengths.front()) > 0) {
+    commands = {lengths.front()};
+    lengths.erase(lengths.begin());
+  }
+  if (lengths.empty()) lengths = {"20", "60", "600", "3600"};
   std::filesystem::create_directories(given[1]);
-  fmt::print("| length | s | s of processor time | x reference | MB |\n|---|---|---|---|---|\n");
+  fmt::print("| length | | s | s of processor time | x reference | MB |\n|---|---|---|---|---|---|\n");
   std::fflush(stdout);  // Lest each child prints it again
   for (const std::string& length : lengths) {
     const std::string file = given[1] + "/free_" + length + "s.csv";
@@ -104,11 +111,11 @@ int main(int count, char** arguments) {
       fmt::print(stderr, "{} s: not simulated\n", length);
       return 1;
     }
-    const Cost reference = costOf({"/proc/self/exe", "reference", file}), cost = costOf({heft, what, file});
+    const Cost reference = costOf({"/proc/self/exe", "reference", file});
     const double megabytes = static_cast<double>(std::filesystem::file_size(file)) / 1048576.0;
-    printRow(fmt::format("{} s, {:.0f} MB: reference", length, megabytes), reference, reference);
-    printRow(fmt::format("{} s: {}", length, what), cost, reference);
-    if (!cost.worked) fmt::print(stderr, "{} s: {} failed\n", length, what);
+    printRow(length + " s", fmt::format("reference, of {:.0f} MB", megabytes), reference, reference);
+    for (const std::string& command : commands)
+      printRow(length + " s", command, costOf({heft, command, file}), reference);
   }
   return 0;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/stop.h"
+
 namespace heft::diagnosis {
 
 Eigen::Index Model::size() const {
@@ -63,8 +65,10 @@ Order inOrder(const std::vector<Term>& terms) {
 }
 
 Kinematics bent(const Signals& signals, const Order& terms, std::size_t first, Kinematics from) {
-  for (std::size_t i = first; i < terms.size(); ++i)
+  for (std::size_t i = first; i < terms.size(); ++i) {
+    stopPoint();
     terms[i]->form->cause->geometry(*terms[i]->form, terms[i]->v, signals, from);
+  }
   return from;
 }
 
@@ -77,7 +81,10 @@ void throughSensor(const Signals& signals, const Order& terms, Wrenches& w, bool
 
 Wrenches loads(const Signals& signals, const Model& model, const Order& terms, const Kinematics& kinematics) {
   Wrenches w = payloadWrench(kinematics, model.x.tail<10>());
-  for (const Term* t : terms) t->form->cause->force(*t->form, t->v, signals, kinematics, w);
+  for (const Term* t : terms) {
+    stopPoint();
+    t->form->cause->force(*t->form, t->v, signals, kinematics, w);
+  }
   return w;
 }
 
@@ -87,6 +94,7 @@ Wrenches sensed(const Signals& signals, const Order& terms, Wrenches load) {
 }
 
 Wrenches readings(const Signals& signals, const Model& model, const Order& terms, Wrenches sensed) {
+  stopPoint();
   for (const Term* t : terms) t->form->cause->readings(*t->form, t->v, signals, sensed);
   sensed.colwise() += Vector6d(model.x.head<6>());
   return sensed;

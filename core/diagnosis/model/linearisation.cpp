@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/base/parallel.h"
+#include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
 #include "core/wrench/regressor.h"
 
@@ -48,6 +49,7 @@ class Moving {
     }
     const Eigen::Index m = signals_.samplesPerBlock;
     for (Eigen::Index n = 0; n < signals_.blocks(); ++n) {
+      stopPoint();
       Regressor sum = Regressor::Zero();
       for (Eigen::Index k = n * m; k < (n + 1) * m; ++k)
         sum += regressor({kinematics_.specificForce.col(k), kinematics_.omega.col(k), kinematics_.alpha.col(k)});

@@ -7,6 +7,8 @@
 #include <functional>
 #include <numbers>
 
+#include "core/base/stop.h"
+
 namespace heft::diagnosis {
 
 namespace {
@@ -136,6 +138,7 @@ std::vector<double> powersInTheWorld(const std::vector<Matrix3d>& R_BS, const st
   std::vector<double> out(candidates.size());
   Courses courses(time);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
+    stopPoint();
     const double omega = candidates[k].multiple;
     const MatrixXd sums = courses.to(candidates[k]).transpose() * turned;  // 2 x 18: sine, cosine
     std::array<std::complex<double>, 6> response;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/base/parallel.h"
+#include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/math/linear_algebra.h"
@@ -42,6 +43,7 @@ Turned turned(const Signals& signals, const std::vector<Stretch>& stretches, con
   const auto count = std::ssize(in);
   if (count < 3) return out;
   out.time.resize(count);
+  stopPoint();
   MatrixXd y(count, 6), K(count, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Eigen::Index at = in[static_cast<std::size_t>(i)];
@@ -52,6 +54,7 @@ Turned turned(const Signals& signals, const std::vector<Stretch>& stretches, con
     for (Eigen::Index j = 0; j < count; ++j) K(i, j) = std::min(out.time(i), out.time(j)) / signals.duration();
   K.rowwise() -= K.colwise().mean().eval();
   K.colwise() -= K.rowwise().mean().eval();
+  stopPoint();
   // The smallest is the mean's: nothing of it is left.
   const auto [values, vectors] = symmetricEigen(K);
   out.from = vectors.rightCols(count - 1).transpose();
@@ -91,6 +94,7 @@ double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, c
   const Turned at = turned(signals, stretches, residual, part);
   const Eigen::Index count = at.y.rows();
   if (count < 8) return 0.0;
+  stopPoint();
   std::vector<VectorXd> weights{VectorXd::Ones(count)};
   for (double a = 0.1; a < 1e4; a *= 1.6) weights.push_back((1.0 + a * at.walk.array()).inverse().matrix());
   // Twice the log-likelihood of a channel as a walk of any size on noise of any size, with the wave `X` or, where that

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/say.h"
+#include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/causes/common.h"
@@ -360,6 +361,7 @@ WhatRemains whatRemains(const Hypothesis& hypothesis, const Recording& cleaned, 
   const Asked asked(hypothesis, cleaned, by);
   for (const Unknown& unknown : kUnknowns) {
     if (!isAsked(unknown, by, out.structure.gain)) continue;
+    stopPoint();
     Claim claim = unknown.claim(asked, out);
     std::ranges::move(claim.findings, std::back_inserter(out.findings));
     if (!claim.remaining) continue;
