@@ -49,12 +49,12 @@ bool isSmall(const Candidate& c, const Reading& stated) {
     // Nearly the other way is that and a tilt; without the tilt it is a hypothesis of its own.
     return turn < kLeastTurn || turn > std::numbers::pi - kLeastTurn;
   }
-  return c.free == Free::point && !isAboutAnotherPoint(c);
+  return c.free == Free::origin || (c.free == Free::point && !isAboutAnotherPoint(c));
 }
 
 /// It is small, and all the rest is as stated.
 bool isCause(const Candidate& c, const Reading& stated) {
-  if (c.free == Free::point && c.fit.place.point.norm() > kFarthestOrigin) return false;
+  if (c.fit.place.point.norm() > kFarthestOrigin) return false;
   constexpr Change kPlace[] = {Change::turned, Change::gravityTurned, Change::point};
   return isSmall(c, stated) && std::all_of(c.differs.begin(), c.differs.end(), [&](Change change) {
            return std::find(std::begin(kPlace), std::end(kPlace), change) != std::end(kPlace);
@@ -157,7 +157,10 @@ void Check::decide(const Candidate& stated, std::vector<Candidate>& all, Report&
   const double standard = stated.score + 0.5 * byCause;
   std::erase_if(all, [&](const Candidate& c) { return isSmall(c, q_.stated); });
   const Candidate* first = all.empty() ? nullptr : &all.front();
-  const bool cause = first != nullptr && first->score - stated.score < kShareOfCause * byCause;
+  // A ratio of units shows in the first moment of force and torque alone, as another place of the sensor does: it has
+  // to explain more.
+  const auto shareOf = [](const Candidate& c) { return has(c.differs, Change::unit) ? 1.0 : kShareOfCause; };
+  const bool cause = first != nullptr && first->score - stated.score < shareOf(*first) * byCause;
   report.misfit = stated.misfit;
   report.payload = stated.payload;
   report.covariance = stated.fit.covariance.topLeftCorner<10, 10>();

@@ -26,13 +26,14 @@ enum class Free {
   mount,    ///< A turn of the sensor: 3 angles
   gravity,  ///< Its direction: 2 angles
   point,    ///< Torques about another point: 3 coordinates
+  origin,   ///< The sensor sits beside its place: forces have a first moment of their own, 3 components
 };
 
 /// Where the free part of a fit starts and ends.
 struct Place {
   Matrix3d turn = Matrix3d::Identity();  ///< Readings in sensor axes = turn * readings
   Vector3d gravity = Vector3d::Zero();   ///< g_B [m/s2]
-  Vector3d point = Vector3d::Zero();     ///< From S's origin, S axes [m]
+  Vector3d point = Vector3d::Zero();     ///< Of the torque, or where the sensor sits; from S's origin, S axes [m]
 };
 
 struct Fit {

@@ -113,6 +113,9 @@ struct RobustFit {
       crossColumns(torque, T.middleCols(12, 3));
     }
     if (free == Free::point) crossColumns(force, T.middleCols(12, 3));
+    if (free == Free::origin)
+      for (Eigen::Index c = 0; c < 3; ++c)
+        F.block(c * K, 7, K, 3) = blocks.force[static_cast<std::size_t>(c)].middleCols<3>(1);
     F.rightCols<1>() = Eigen::Map<const VectorXd>(force.data(), 3 * K);
     T.rightCols<1>() = Eigen::Map<const VectorXd>(torque.data(), 3 * K);
   }
@@ -190,6 +193,7 @@ struct RobustFit {
       out.place.gravity = gravity.norm() * moved.normalized();
     }
     if (free == Free::point) out.place.point = x.tail<3>();
+    if (free == Free::origin) out.place.point = x.tail<3>() / x(0);
   }
 
   Fit result() {
@@ -203,7 +207,7 @@ struct RobustFit {
       const MatrixXd ofFree = covariance.bottomRightCorner(extra, extra), shared = covariance.topRightCorner(10, extra);
       out.fromFree = shared * inverse(ofFree) * shared.transpose();
       const MatrixXd axes = free == Free::gravity ? MatrixXd(basis / gravity.norm()) : MatrixXd(Matrix3d::Identity());
-      if (free != Free::point) out.turnCovariance = axes * ofFree * axes.transpose();
+      if (free == Free::mount || free == Free::gravity) out.turnCovariance = axes * ofFree * axes.transpose();
     }
     double sum = 0.0;
     for (Eigen::Index k = 0; k < K; ++k) sum += std::log1p(distance(k) / kTailFreedom);

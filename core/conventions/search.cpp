@@ -182,7 +182,9 @@ Candidate Check::candidate(const Way& way, std::size_t form, Free free, const Pl
   out.payload = fromParameters(phi);
   out.misfit = misfitOf(blocks, out.fit);
   out.reach = outOfReach(phi, out.fit.covariance, q_.heaviest, rows);
-  out.score += out.fit.evidence - priceOf(out.differs) - out.reach - negativeMoments(phi, out.fit.covariance, rows);
+  out.score += out.fit.evidence - priceOf(out.differs) - out.reach;
+  // Of a sensor beside its place the accelerations are another point's, and the moments only seem to be what they are.
+  out.score -= free == Free::origin ? kPriceOfChange : negativeMoments(phi, out.fit.covariance, rows);
   // Poses tell the centre from its mirror image or from one of another scale only by where centres are. Most sensors' z
   // axes point to the tool.
   const double far = out.payload.com.norm();
@@ -357,8 +359,8 @@ void Check::addOtherScales(const Candidate& like, std::vector<Candidate>& into) 
 }
 
 void Check::addCauses(std::vector<Candidate>& into) const {
-  for (const Free free : {Free::mount, Free::gravity, Free::point})
-    into.push_back(candidate(statedWay(), 0, free, place_));
+  for (const Free free : {Free::mount, Free::gravity, Free::point, Free::origin})
+    if (free != Free::origin || !standing_) into.push_back(candidate(statedWay(), 0, free, place_));
 }
 
 }  // namespace heft::conventions
