@@ -206,6 +206,14 @@ MotionOptions motionOptions(const Recording& recording, MotionOptions options, c
   return options;
 }
 
+Finding stoodStill() {
+  return {Severity::info,
+          "stood_still",
+          heft::say("The tool did not move."),
+          heft::say("Tilt it in several directions: at rest, its weight and the sensor's bias cannot be separated."),
+          {}};
+}
+
 /// `ready`: the motion as stated, if it is known already.
 Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                                const Understanding& as, std::optional<Motion> ready = std::nullopt) {
@@ -277,13 +285,7 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
                   "marks, or lower the trim.",
                   span, out.usedDuration)};
   calm(out);
-  if (out.still)
-    out.findings.push_back(
-        {Severity::info,
-         "stood_still",
-         heft::say("The tool did not move."),
-         heft::say("Tilt it in several directions: at rest, its weight and the sensor's bias cannot be separated."),
-         {}});
+  if (out.still) out.findings.push_back(stoodStill());
   if (motionOptions(recording, options.motion, as).payloadOnly) keepPayloadMotion(out.motion);
   stopPoint();
   out.silent = options.silent;

@@ -14,8 +14,7 @@ namespace heft {
 
 namespace {
 
-constexpr std::uint64_t kReadAhead =
-    8u << 10;  ///< [bytes] A dozen of a sensor's messages; more would read into pictures.
+constexpr std::uint64_t kReadAhead = 8u << 10;  ///< [bytes] A dozen of a sensor's messages, little of a picture
 
 }  // namespace
 

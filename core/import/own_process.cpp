@@ -245,7 +245,7 @@ Result<StreamSet> readInOwnProcess(const std::filesystem::path& path, const Stre
     ::close(ends[0]);
     return errorAt({displayName(path), 0, 0}, std::strerror(failure));
   }
-  const auto out = [&]() -> Result<StreamSet> {
+  auto out = [&]() -> Result<StreamSet> {
     try {
       return listen(Receiver(ends[0], progress), progress);
     } catch (const Receiver::Stopped&) {

@@ -20,8 +20,8 @@ namespace heft {
 
 namespace {
 
-constexpr std::size_t kMaxNumbers = 1000 * 1'000'000;  ///< 8 GB in memory: twelve hours of 23 columns at 1 kHz.
-constexpr std::size_t kMaxExtraCells = 20'000'000;     ///< Cells kept as text cost about 32 bytes each.
+constexpr std::size_t kMaxNumbers = 1'000'000'000;  ///< 8 GB in memory: twelve hours of 23 columns at 1 kHz.
+constexpr std::size_t kMaxExtraCells = 20'000'000;  ///< Cells kept as text cost about 32 bytes each.
 
 /// Where a row that lacks values shows it first.
 struct Missing {

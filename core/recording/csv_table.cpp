@@ -182,10 +182,10 @@ class RowReader {
   /// To the system, the pages that were read since.
   void giveBack() {
     static const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-    const auto from = (reinterpret_cast<std::uintptr_t>(kept_) + page - 1) / page * page;
-    const auto to = reinterpret_cast<std::uintptr_t>(at_) / page * page;
+    const char* const from = kept_ + (page - reinterpret_cast<std::uintptr_t>(kept_) % page) % page;
+    const char* const to = at_ - reinterpret_cast<std::uintptr_t>(at_) % page;
     if (to <= from) return;
-    ::madvise(reinterpret_cast<void*>(from), to - from, MADV_DONTNEED);
+    ::madvise(const_cast<char*>(from), static_cast<std::size_t>(to - from), MADV_DONTNEED);
     kept_ = at_;
   }
 
