@@ -17,6 +17,7 @@
 
 #include "core/base/said_again.h"
 #include "core/base/say.h"
+#include "core/base/stop.h"
 #include "core/base/text.h"
 
 namespace heft {
@@ -68,7 +69,6 @@ class Sender {
 class Receiver {
  public:
   struct Broken {};
-  struct Stopped {};
 
   Receiver(int file, const Progress& progress) : file_(file), progress_(progress) {}
 
@@ -248,7 +248,7 @@ Result<StreamSet> readInOwnProcess(const std::filesystem::path& path, const Stre
   auto out = [&]() -> Result<StreamSet> {
     try {
       return listen(Receiver(ends[0], progress), progress);
-    } catch (const Receiver::Stopped&) {
+    } catch (const Stopped&) {
       return Error{heft::say("Reading was stopped."), true};
     } catch (const Receiver::Broken&) {
     } catch (const json::exception&) {
