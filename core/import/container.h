@@ -27,6 +27,9 @@ struct TopicInfo {
   std::string publisher;       ///< The node that sends, where the file knows it; else empty.
 };
 
+/// [bytes] What is larger may be a picture; smaller messages are always looked at.
+constexpr std::size_t kLargeMessage = 16u << 10;
+
 /// A message as it stands in the file: a picture that nobody wants is passed over without being read.
 struct MessageBody {
   std::uint64_t size = 0;                   ///< [bytes]

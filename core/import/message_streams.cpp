@@ -17,7 +17,6 @@ namespace heft {
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kAlwaysLookedAt = 16u << 10;     ///< [bytes]
 constexpr std::size_t kBytesPerNumberOfPicture = 128;  ///< At least: in messages of numbers alone 8, as text about 30.
 
 /// One topic's messages on their way to a stream.
@@ -62,7 +61,7 @@ class TopicReader {
     stream_.last = std::max(stream_.last, received);
     if (!problem_.empty()) return 0;
     // Names and lengths vary where several nodes send, so that all messages are looked at, but pictures and the like.
-    if (picture_ && selected_ == 0 && body.size > kAlwaysLookedAt) return 0;
+    if (picture_ && selected_ == 0 && body.size > kLargeMessage) return 0;
     const std::string_view bytes = body.bytes();
     const bool sound = decoder_ ? decoder_->decode(bytes) : decodeJson(bytes);
     if (!sound) {
@@ -76,7 +75,7 @@ class TopicReader {
     const bool fresh = !decoded_ || renamed;
     if (fresh) learn(names, filter);
     decoded_ = true;
-    picture_ = bytes.size() > std::max(kAlwaysLookedAt, kBytesPerNumberOfPicture * values.size());
+    picture_ = bytes.size() > std::max(kLargeMessage, kBytesPerNumberOfPicture * values.size());
     if (!filter || selected_ == 0) return 0;
     stream_.received.push_back(received);
     stream_.stamps.push_back(soundStamp(decoder_ ? decoder_->stamp() : jsonStamp_));

@@ -52,9 +52,11 @@ class SqliteScan {
     readDefinitions(database);
     const auto topics = prepare(database, "SELECT id, name, type, serialization_format FROM topics");
     // Of a large message only the length is asked for, which SQLite knows without reading it.
-    const auto messages = prepare(database,
-                                  "SELECT topic_id, timestamp, CASE WHEN length(data) <= 16384 THEN data END, id, "
-                                  "length(data) FROM messages ORDER BY id");
+    const auto messages =
+        prepare(database, fmt::format("SELECT topic_id, timestamp, CASE WHEN length(data) <= {} THEN data END, "
+                                      "id, length(data) FROM messages ORDER BY id",
+                                      kLargeMessage)
+                              .c_str());
     const auto large = prepare(database, "SELECT data FROM messages WHERE id = ?");
     if (!topics || !messages || !large)
       return errorAt({name_, 0, 0},
