@@ -1,24 +1,50 @@
 #include "core/recording/frozen.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/math/statistics.h"
 
 namespace heft {
 
+Changes changesOf(const Eigen::Ref<const MatrixXd>& values) {
+  constexpr double kOneStep = 1.5;  // Resolutions: between one step and two
+  Changes changes(static_cast<std::size_t>(values.rows()), 0);
+  for (Eigen::Index c = 0; c < values.cols(); ++c) {
+    double resolution = std::numeric_limits<double>::infinity();
+    for (Eigen::Index k = 1; k < values.rows(); ++k)
+      if (const double change = std::abs(values(k, c) - values(k - 1, c)); change > 0.0)
+        resolution = std::min(resolution, change);
+    for (Eigen::Index k = 1; k < values.rows(); ++k)
+      if (values(k, c) != values(k - 1, c)) {
+        const bool more = std::abs(values(k, c) - values(k - 1, c)) > kOneStep * resolution;
+        auto& change = changes[static_cast<std::size_t>(k)];
+        change = std::max(change, more ? char{2} : char{1});
+      }
+  }
+  if (!changes.empty()) changes[0] = 1;
+  return changes;
+}
+
 Eigen::Index countIn(const Changes& changes, Eigen::Index from, Eigen::Index to) {
-  return std::count(changes.begin() + from, changes.begin() + to, char{1});
+  return to - from - std::count(changes.begin() + from, changes.begin() + to, char{0});
 }
 
 std::vector<FrozenStretch> frozenStretches(const VectorXd& time, const Changes& changes, double shortest) {
   const auto rows = time.size();
+  constexpr double kMostly = 0.9;
   const auto runs = countIn(changes, 0, rows);
+  const bool coarse =
+      static_cast<double>(std::count(changes.begin(), changes.end(), char{1})) > kMostly * static_cast<double>(runs);
   std::vector<FrozenStretch> stretches;
   for (Eigen::Index from = 0; from < rows;) {
     auto to = from + 1;
     while (to < rows && changes[static_cast<std::size_t>(to)] == 0) ++to;
+    const bool leaps =
+        changes[static_cast<std::size_t>(from)] == 2 || (to < rows && changes[static_cast<std::size_t>(to)] == 2);
     const double others = runs > 1 ? static_cast<double>(rows - (to - from)) / static_cast<double>(runs - 1) : 1.0;
-    if (to - from >= 10 && time(to - 1) - time(from) >= shortest && static_cast<double>(to - from) >= 20.0 * others)
+    if (to - from >= 10 && time(to - 1) - time(from) >= shortest && static_cast<double>(to - from) >= 20.0 * others &&
+        (leaps || !coarse))
       stretches.push_back({from, to});
     from = to;
   }

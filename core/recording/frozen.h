@@ -7,18 +7,11 @@
 
 namespace heft {
 
-using Changes = std::vector<char>;  ///< By row: differs from the row before (the first row does).
+/// By row: 0 the same as the row before, 1 one value changed by a step of its resolution (or is the first), 2 by more.
+using Changes = std::vector<char>;
 
-/// Rows in which any of the columns differs from the row before.
-template <class Matrix>
-Changes changesOf(const Matrix& values) {
-  Changes changes(static_cast<std::size_t>(values.rows()), 0);
-  if (!changes.empty()) changes[0] = 1;
-  for (Eigen::Index c = 0; c < values.cols(); ++c)
-    for (Eigen::Index k = 1; k < values.rows(); ++k)
-      changes[static_cast<std::size_t>(k)] |= values(k, c) != values(k - 1, c) ? 1 : 0;
-  return changes;
-}
+/// How each row differs from the row before, over all columns. A column's resolution is its smallest change.
+Changes changesOf(const Eigen::Ref<const MatrixXd>& values);
 
 /// How many of the rows from..to-1 change.
 Eigen::Index countIn(const Changes& changes, Eigen::Index from, Eigen::Index to);
@@ -31,7 +24,8 @@ struct FrozenStretch {
 };
 
 /// The stretches without change that last at least `shortest` [s] and ten rows and are twenty times longer than is
-/// usual, so that slow or coarse sensors do not count. `time`: of each row [s].
+/// usual, so that slow sensors do not count. A sensor coarser than its noise mostly changes by one step and stays long
+/// at one value too: there a stretch counts only if it begins or ends with more than one. `time`: of each row [s].
 std::vector<FrozenStretch> frozenStretches(const VectorXd& time, const Changes& changes, double shortest);
 
 /// The stretches of 0.25 s and more in which one channel stands still while others go on: it was not measured there, or

@@ -53,7 +53,7 @@ class SignalChecker {
   void mergeMotion(const Matrix& values) {
     if (values.rows() == 0) return;
     const auto changes = changesOf(values);
-    for (std::size_t k = 0; k < changes.size(); ++k) motionChanges_[k] |= changes[k];
+    for (std::size_t k = 0; k < changes.size(); ++k) motionChanges_[k] = std::max(motionChanges_[k], changes[k]);
   }
 
   /// True if nothing at all changes, and all else is pointless.

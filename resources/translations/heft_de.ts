@@ -1971,6 +1971,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>It becomes less certain: %1. Payload and cause are hard to distinguish with this motion.</source>
         <translation>Es wird unsicherer: %1. Last und Ursache sind mit dieser Bewegung schwer zu unterscheiden.</translation>
     </message>
+    <message>
+        <source>Your result is not reliable, even with the causes corrected.</source>
+        <translation>Ihr Ergebnis ist nicht verlässlich, auch nicht mit berichtigten Ursachen.</translation>
+    </message>
 </context>
 <context>
     <name>Remedies</name>
@@ -2796,6 +2800,10 @@ Rauschen %3</translation>
     <message>
         <source>%1 (flange)</source>
         <translation>%1 (Flansch)</translation>
+    </message>
+    <message>
+        <source>The result is not reliable, even with the causes corrected: %1</source>
+        <translation>Das Ergebnis ist nicht verlässlich, auch nicht mit berichtigten Ursachen: %1</translation>
     </message>
 </context>
 <context>

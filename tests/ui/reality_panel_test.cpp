@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/report/report.h"
 #include "core/recording/csv_reader.h"
 #include "core/robot/robot_model.h"
 #include "core/simulation/practice.h"
@@ -438,6 +439,32 @@ TEST(CauseCards, ATieShowsTheMotionThatDecidesAndLeadsToRecordingIt) {
   const std::unique_ptr<QWidget> heavier(makeTieCard(report, cause, {}, actions, &parent));
   EXPECT_EQ(heavier->findChild<QPushButton*>("showMotion"), nullptr);
   EXPECT_NE(heavier->findChild<QPushButton*>("recordIt"), nullptr);
+}
+
+TEST(CauseCards, ShowNoPayloadThatIsNotReliable) {
+  DiagnosisReport report;
+  report.verdict = Verdict::unexplained;
+  report.causes.emplace_back();
+  report.before.payload.mass = 0.3;
+  report.before.std.mass = report.after.std.mass = 0.01;
+  report.after.payload.mass = 0.1;
+  const auto textOf = [&] {
+    QWidget parent;
+    addChange(new QVBoxLayout(&parent), &parent, report, 0);
+    QString all;
+    for (const QLabel* label : parent.findChildren<QLabel*>()) all += label->text() + "\n";
+    return all;
+  };
+  EXPECT_TRUE(textOf().contains("0.1")) << textOf().toStdString();
+  EXPECT_EQ(toText(report).find("(not reliable)"), std::string::npos);
+  report.after.trust = Trust::none;
+  report.after.whyNoTrust = "No rigid payload explains the readings.";
+  EXPECT_FALSE(textOf().contains("0.1")) << textOf().toStdString();
+  EXPECT_TRUE(textOf().contains("No rigid payload explains the readings."));
+  EXPECT_NE(
+      toText(report).find("0.1000 ± 0.0196 kg, centre of mass (0.0, 0.0, 0.0) mm (not reliable)\nNo rigid payload"),
+      std::string::npos)
+      << toText(report);
 }
 
 /// Where single readings tell what is wrong, the card of something unknown says that and what to do about it.

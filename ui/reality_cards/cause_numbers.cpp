@@ -7,6 +7,7 @@
 
 #include "core/diagnosis/report/report.h"
 #include "ui/models/numbers.h"
+#include "ui/models/said_now.h"
 
 namespace heft {
 
@@ -70,6 +71,7 @@ bool leavesMuch(const DiagnosisReport& report, const DiagnosedCause& cause) {
 }
 
 ChangeText payloadChange(const DiagnosisReport& report) {
+  if (report.after.trust == Trust::none) return {{}, 0.0, {}, saidNow(report.after.whyNoTrust)};
   const Payload &a = report.before.payload, &b = report.after.payload;
   const Vector10d moved = payloadShift(report);
   struct Move {

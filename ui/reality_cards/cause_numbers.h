@@ -30,7 +30,8 @@ bool leavesMuch(const DiagnosisReport& report, const DiagnosedCause& cause);
 struct ChangeText {
   QString text;
   double sigmas = 0.0;
-  QString wider;  ///< "mass ± 0.0014 → ± 0.23 kg": what becomes much less certain; empty if nothing does
+  QString wider;             ///< "mass ± 0.0014 → ± 0.23 kg": what becomes much less certain; empty if nothing does
+  QString notReliable = {};  ///< Why the numbers are not reliable with all causes applied; nothing else is said then
 };
 ChangeText payloadChange(const DiagnosisReport& report);
 

@@ -49,14 +49,15 @@ VerdictText verdictText(const DiagnosisReport& report, int applied) {
 void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, int count) {
   if (report.causes.empty()) return;
   const ChangeText change = payloadChange(report);
-  const bool much = change.sigmas >= 2.0 || !change.wider.isEmpty();
+  const bool much = change.sigmas >= 2.0 || !change.wider.isEmpty() || !change.notReliable.isEmpty();
   const bool several = report.causes.size() > 1;
   const bool applied = count > 0;
   const Card card = makeCard("cardQuiet", parent);
   card.frame->setProperty("role", "change");
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
-  row->addWidget(new LightIcon(much && !applied ? Light::look : Light::measured, 20, card.frame));
+  row->addWidget(new LightIcon(much && (!applied || !change.notReliable.isEmpty()) ? Light::look : Light::measured, 20,
+                               card.frame));
   QLabel* text = wrappedLabel({}, "body", card.frame);
   text->setTextFormat(Qt::RichText);
   row->addWidget(text, 1);
@@ -64,7 +65,10 @@ void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& repo
   const auto caption = [&](const QString& words) {
     card.layout->addWidget(wrappedLabel(words, "caption", card.frame));
   };
-  if (change.text.isEmpty()) {
+  if (!change.notReliable.isEmpty()) {
+    text->setText(Words::tr("Your result is not reliable, even with the causes corrected.").toHtmlEscaped());
+    caption(change.notReliable);
+  } else if (change.text.isEmpty()) {
     text->setText((applied   ? Words::tr("Your result stayed the same.")
                    : several ? Words::tr("With all causes applied your result stays the same.")
                              : Words::tr("If you apply it, your result stays the same."))

@@ -62,8 +62,9 @@ json jsonOf(const DiagnosedCause& cause) {
 
 std::string payloadLine(const EstimateReport& report) {
   const auto& p = report.payload;
-  return fmt::format("{:.4f} ± {:.4f} kg, centre of mass ({:.1f}, {:.1f}, {:.1f}) mm", p.mass, 1.96 * report.std.mass,
-                     p.com.x() * 1e3, p.com.y() * 1e3, p.com.z() * 1e3);
+  return fmt::format("{:.4f} ± {:.4f} kg, centre of mass ({:.1f}, {:.1f}, {:.1f}) mm{}", p.mass, 1.96 * report.std.mass,
+                     p.com.x() * 1e3, p.com.y() * 1e3, p.com.z() * 1e3,
+                     report.trust == Trust::none ? " (not reliable)" : "");
 }
 
 }  // namespace
@@ -191,8 +192,10 @@ std::string toText(const DiagnosisReport& report) {
     const Vector10d moved = payloadShift(report);
     out += fmt::format("\nPayload before  {}\nPayload after   {}\n", payloadLine(report.before),
                        payloadLine(report.after));
-    out += fmt::format("Change: {:.1f} sigma (mass), {:.1f} sigma (centre of mass), {:.1f} sigma (inertia)\n", moved(0),
-                       moved.segment<3>(1).maxCoeff(), moved.tail<6>().maxCoeff());
+    out += report.after.trust == Trust::none
+               ? report.after.whyNoTrust + "\n"
+               : fmt::format("Change: {:.1f} sigma (mass), {:.1f} sigma (centre of mass), {:.1f} sigma (inertia)\n",
+                             moved(0), moved.segment<3>(1).maxCoeff(), moved.tail<6>().maxCoeff());
   }
   if (report.check)
     out += fmt::format("\nChecked on {}: {:.3f} -> {:.3f} N, {:.4f} -> {:.4f} N m\n{}\n", report.check->file,

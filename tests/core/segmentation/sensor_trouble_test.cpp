@@ -70,6 +70,23 @@ TEST(SensorTrouble, WhatStandsStillOrIsMissingIsLeftOutAndCanBeTakenBack) {
   EXPECT_DOUBLE_EQ(troubled(gap, SegmentMode::all), 0.0);
 }
 
+TEST(SensorTrouble, ACoarseChannelIsFrozenOnlyWhereItLeaps) {
+  double left = 0.0;
+  for (const std::uint64_t seed : {32u, 35u, 37u, 38u}) {
+    Recording coarse = aRecording(seed);
+    for (Eigen::Index c = 0; c < 6; ++c)
+      coarse.wrench.col(c) = (coarse.wrench.col(c) / (c < 3 ? 1.0 : 0.1)).array().round() * (c < 3 ? 1.0 : 0.1);
+    left += troubled(coarse, SegmentMode::automatic);
+    Recording frozen = aRecording(seed);  // Others go on
+    frozen.wrench.col(0) = coarse.wrench.col(0);
+    Eigen::Index last = 5000;  // From where it leaps
+    while (std::abs(coarse.wrench(last, 0) - coarse.wrench(3000, 0)) < 2.5) ++last;
+    frozen.wrench.col(0).segment(3000, last - 3000).setConstant(coarse.wrench(3000, 0));
+    EXPECT_GE(troubled(frozen, SegmentMode::automatic), static_cast<double>(last - 3000) / 8000.0 - 0.01) << seed;
+  }
+  EXPECT_DOUBLE_EQ(left, 0.0);
+}
+
 TEST(SensorTrouble, WhatIsLeftBesideALeapIsTheArmsMotion) {
   const Recording whole = aRecording(36);
   Recording hung = whole;
