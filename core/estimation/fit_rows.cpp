@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "core/base/stop.h"
 #include "core/estimation/noise_certainty.h"
@@ -58,6 +59,13 @@ Fit fitOf(const Triangle& whitened) {
   return out;
 }
 
+/// Rows that a run has in a narrower band; none of a run that is too short.
+Eigen::Index rowsIn(const Run& run, int stride) {
+  const Eigen::Index taps = 2 * stride - 1;
+  const Eigen::Index rows = run.to - run.from < taps ? 0 : (run.to - run.from - taps) / stride + 1;
+  return rows < kFewestRows ? 0 : rows;
+}
+
 }  // namespace
 
 WrenchRows narrowed(const WrenchRows& blocks, int stride, std::vector<Run>& runs) {
@@ -71,8 +79,8 @@ WrenchRows narrowed(const WrenchRows& blocks, int stride, std::vector<Run>& runs
   std::vector<Run> kept;
   Eigen::Index count = 0;
   for (const auto& run : runs) {
-    const Eigen::Index n = run.to - run.from < taps ? 0 : (run.to - run.from - taps) / stride + 1;
-    if (n < kFewestRows) continue;
+    const Eigen::Index n = rowsIn(run, stride);
+    if (n == 0) continue;
     kept.push_back({count, count + n});
     count += n;
   }
@@ -80,8 +88,8 @@ WrenchRows narrowed(const WrenchRows& blocks, int stride, std::vector<Run>& runs
   out.Y.assign(static_cast<std::size_t>(count), Regressor::Zero());
   auto at = kept.begin();
   for (const auto& run : runs) {
-    const Eigen::Index n = run.to - run.from < taps ? 0 : (run.to - run.from - taps) / stride + 1;
-    if (n < kFewestRows) continue;
+    const Eigen::Index n = rowsIn(run, stride);
+    if (n == 0) continue;
     for (Eigen::Index j = 0; j < n; ++j)
       for (Eigen::Index i = 0; i < taps; ++i) {
         const Eigen::Index from = run.from + j * stride + i;
@@ -148,18 +156,19 @@ FitRows asCertain(FitRows band, const KnownOfNoise& known) {
 
 }  // namespace
 
-FitRows fitRowsOf(const FitRowsQuestion& of) {
+FitRows fitRowsOf(FitRowsQuestion of) {
   const auto enough = [&](int stride) {
-    std::vector<Run> left = of.runs;
-    return stride == 1 || 6 * narrowed(of.blocks, stride, left).size() >= kFewestEquations;
+    Eigen::Index rows = 0;
+    for (const Run& run : of.runs) rows += rowsIn(run, stride);
+    return stride == 1 || 6 * rows >= kFewestEquations;
   };
   int predicts = std::max(of.predicts, of.atLeast);
   while (!enough(predicts)) predicts = std::max(1, predicts / 2);
   if (!of.noisier || of.noisier->size() != of.blocks.size())
     return asCertain(rowsAt(predicts, of, std::nullopt), of.known);
-  WrenchRows difference = of.blocks;
-  for (std::size_t k = 0; k < difference.Y.size(); ++k) difference.Y[k] = of.noisier->Y[k] - of.blocks.Y[k];
-  difference.wrench.setZero();
+  std::optional<WrenchRows> difference = std::move(of.noisier);
+  for (std::size_t k = 0; k < difference->Y.size(); ++k) difference->Y[k] -= of.blocks.Y[k];
+  difference->wrench.setZero();
   if (of.fixed) return asCertain(rowsAt(predicts, of, difference), of.known);
   std::vector<FitRows> bands;
   std::size_t best = 0;

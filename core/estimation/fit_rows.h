@@ -43,6 +43,6 @@ struct FitRowsQuestion {
   int atLeast = 1;                        ///< In wider bands motion and wrench are not filtered alike.
   bool fixed = false;                     ///< No other will do.
 };
-FitRows fitRowsOf(const FitRowsQuestion& question);
+FitRows fitRowsOf(FitRowsQuestion question);
 
 }  // namespace heft

@@ -22,7 +22,7 @@ Residuals residualsOver(const Prepared& prepared,
     for (Eigen::Index block = run.from; block < run.to; ++block) {
       const SolverSolution& solution = solutionOf(block);
       for (Eigen::Index k = block * perBlock; k < (block + 1) * perBlock; ++k) {
-        const Motion& m = prepared.motion;
+        const Motion& m = prepared.sampled();
         const Vector6d predicted =
             regressor({m.specificForce.col(k), m.omega.col(k), m.alpha.col(k)}) * solution.phi + solution.bias;
         sum += (m.wrench.col(k) - predicted).cwiseAbs2();
@@ -57,7 +57,7 @@ void sayMisfit(const Prepared& prepared, const Residuals& heldout, const Unseen&
   };
   std::array<std::optional<Missed>, 2> worst;  // Of the forces, and of the torques
   bool others = false;
-  const Vector6d scatters = scatterOf(prepared.motion.wrench);
+  const Vector6d scatters = scatterOf(prepared.sampled().wrench);
   for (int c = 0; c < 6; ++c) {
     const auto i = static_cast<std::size_t>(c);
     if (prepared.silent[i] || prepared.usedDuration <= 0.0) continue;

@@ -38,7 +38,7 @@ MatrixXd scaledPseudoInverse(const MatrixXd& H) {
 }  // namespace
 
 AllRows collectRows(const Prepared& prepared, const Vector6d& weights, bool keepRows) {
-  const WrenchRows samples = rowsOf(prepared.motion, 0.0);
+  const WrenchRows samples = rowsOf(prepared.sampled(), 0.0);
   const int perBlock = prepared.blocks.samplesPerBlock;
   std::vector<TriangleBuilder> builders(kFolds);
   AllRows out;

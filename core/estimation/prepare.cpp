@@ -122,12 +122,13 @@ struct Understanding {
   ReadingSteps steps;     ///< Of the numbers as they came, not of what they are read as; a pose lasts 1 s
 };
 
-Understanding asStated(const Recording& recording) {
+/// `tops`: flatTops() of its wrench.
+Understanding asStated(const Recording& recording, const std::vector<FlatTop>& tops) {
   Understanding out;
   out.stated = conventions::statedIn(recording.meta);
   out.posesInFile = recording.hasOrientation();
   const bool poses = recording.meta.kind == RecordingKind::poses;
-  if (!poses) out.trouble = sensorTrouble(recording);
+  if (!poses) out.trouble = sensorTrouble(recording, tops);
   stopPoint();
   if (!poses) out.held = heldValues(recording.time, recording.wrench);
   stopPoint();
@@ -152,11 +153,11 @@ Motion understood(Motion motion, const Understanding& as) {
                     : std::move(motion);
 }
 
-/// Blocks of about kBlockRate. Of a wrench that the log repeats each reading counts once, beside the motion of its own
-/// moment: what repeats it is late.
-WrenchRows blocksOf(const Motion& motion, const Recording& recording, const HeldValues& held) {
-  if (held.period <= 0.0 || motion.size() < 4) return rowsOf(motion, kBlockRate);
-  Motion at;  // Of the readings' moments, with what rowsOf() asks for
+/// The motion at the readings of a wrench that the log repeats, with what rowsOf() asks for: what repeats a reading is
+/// late. Nothing where each row is a reading.
+std::optional<Motion> readingsOf(const Motion& motion, const Recording& recording, const HeldValues& held) {
+  if (held.period <= 0.0 || motion.size() < 4) return std::nullopt;
+  Motion at;
   const auto readings = static_cast<Eigen::Index>(held.rows.size());
   const auto pick = [&](Eigen::Matrix3Xd& out, const Eigen::Matrix3Xd& in) {
     out.resize(3, readings);
@@ -177,7 +178,13 @@ WrenchRows blocksOf(const Motion& motion, const Recording& recording, const Held
     at.wrench.col(i) = recording.wrench.row(held.rows[static_cast<std::size_t>(i)]).transpose();
   at.startTime = recording.time(held.rows.front());
   at.rateHz = 1.0 / held.period;
-  return rowsOf(at, kBlockRate);
+  return at;
+}
+
+/// Blocks of about kBlockRate; each reading counts once.
+WrenchRows blocksOf(const Motion& motion, const Recording& recording, const HeldValues& held) {
+  const auto readings = readingsOf(motion, recording, held);
+  return rowsOf(readings ? *readings : motion, kBlockRate);
 }
 
 Finding swingAssumed(const Vector3d& p_SoQ_S) {
@@ -224,7 +231,11 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
   Prepared out;
   out.motion = understood(std::move(*motion), as);
   out.cutoffHz = options.motion.smoothing == SmoothingKind::lowPass ? options.motion.cutoffHz : 0.0;
-  out.blocks = blocksOf(out.motion, recording, as.held);
+  const auto makeBlocks = [&] {
+    out.readings = readingsOf(out.motion, recording, as.held);
+    out.blocks = rowsOf(out.sampled(), kBlockRate);
+  };
+  makeBlocks();
   stopPoint();
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
   const bool deaf = std::ranges::find(options.silent, true) != options.silent.end();
@@ -236,7 +247,7 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
   if (!out.motion.originAccelerationKnown || out.motion.accelerometer) {
     if (const auto point = restingPoint(out.blocks, segmentation.labels)) {
       addSwing(*point, out.motion);
-      out.blocks = blocksOf(out.motion, recording, as.held);
+      makeBlocks();
       segmentation = segmented();
       out.findings.push_back(out.motion.accelerometer ? accelerometerStands(*point) : swingAssumed(*point));
     }
@@ -299,7 +310,7 @@ Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robo
   auto motion = standingPoses(recording, robot);
   if (!motion) return motion.error();
   Prepared out;
-  Understanding as = asStated(recording);
+  Understanding as = asStated(recording, {});
   if (checkConventions) out.conventions = checkConventionsOf(recording, *motion, choice, as);
   out.readAsSuggested = as.reading.has_value();
   out.motion = understood(std::move(*motion), as);
@@ -364,7 +375,7 @@ FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const Es
   about.predicts = stride;
   about.atLeast = strideFor(as.held, recording.rateHz());
   about.fixed = fixed;
-  return fitRowsOf(about);
+  return fitRowsOf(std::move(about));
 }
 
 }  // namespace
@@ -432,7 +443,8 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
   EstimateOptions trial = options;
   const auto silent = silentChannels(cleaned.wrench);
   stopPoint();
-  const auto cut = mostlyCutOff(flatTops(cleaned.wrench), cleaned.rows());
+  const auto tops = flatTops(cleaned.wrench);
+  const auto cut = mostlyCutOff(tops, cleaned.rows());
   for (std::size_t c = 0; c < silent.size(); ++c) trial.silent[c] = trial.silent[c] || silent[c] || cut[c];
   const bool lowPass = options.motion.smoothing == SmoothingKind::lowPass;
   const bool choose = lowPass && options.motion.cutoffHz <= 0.0;
@@ -441,7 +453,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     if (options.motion.outputRateHz <= 0.0) trial.motion.outputRateHz = MotionOptions{}.outputRateHz;
   }
   stopPoint();
-  const Understanding stated = asStated(cleaned);
+  const Understanding stated = asStated(cleaned, tops);
   Understanding as = stated;
   std::optional<conventions::Report> report;
   std::optional<Motion> first;
@@ -475,7 +487,8 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     at.motion.cutoffHz = cutoff;
     return prepareMotion(cleaned, robot, at, as);
   };
-  // The cutoffs know nothing of each other until they are compared. Two at a time: of an hour each takes a gigabyte.
+  // Noise of angles grows in accelerations with the square of the frequency: where a narrower band gains nothing, those
+  // narrower still are not asked. Two at a time: of an hour each takes a gigabyte.
   constexpr std::array<double, 4> kCutoffs{kDefaultCutoffHz, 12.0, 6.0, 3.0};
   std::array<std::optional<Result<Prepared>>, kCutoffs.size()> prepared;
   const auto prepareTwo = [&](std::size_t from) {
@@ -496,7 +509,8 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
       if (progress.cancelled()) return Error{"Stopped.", true};
       auto next = std::move(*prepared[i]);
       prepared[i].reset();
-      if (next && advantage(*best, *next) >= kWorthSmoothing) best = std::move(next);
+      if (!next || advantage(*best, *next) < kWorthSmoothing) break;
+      best = std::move(next);
     }
     if (options.motion.outputRateHz <= 0.0) {
       trial.motion.outputRateHz = 0.0;

@@ -17,8 +17,9 @@ constexpr int kFolds = 5;
 
 struct Prepared {
   Motion motion;
-  WrenchRows blocks;              ///< About kBlockRate
-  std::vector<MarkLabel> labels;  ///< One a block
+  std::optional<Motion> readings;  ///< At the wrench's own readings, where the log repeats them
+  WrenchRows blocks;               ///< About kBlockRate, means of sampled()
+  std::vector<MarkLabel> labels;   ///< One a block
   std::vector<Segment> segments;
   std::vector<Run> runs;  ///< Free blocks inside the trim, as contiguous runs
   Eigen::Index usedBlocks = 0;
@@ -37,6 +38,8 @@ struct Prepared {
   bool readAsSuggested = false;                         ///< The motion is understood as it suggests.
   Findings findings;
 
+  /// What the blocks are means of: block k of samples [k, k + 1) x blocks.samplesPerBlock.
+  const Motion& sampled() const { return readings ? *readings : motion; }
   bool used(Eigen::Index block) const;
   int foldOf(Eigen::Index block) const;  ///< Of a used block.
 };

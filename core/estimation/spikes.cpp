@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/parallel.h"
 #include "core/base/stop.h"
 #include "core/math/statistics.h"
 
@@ -203,12 +204,11 @@ WrenchSamples withoutSpikes(const WrenchSamples& wrench, Eigen::Index& replaced)
   WrenchSamples out = wrench;
   std::vector<bool> touched(static_cast<std::size_t>(wrench.rows()), false);
   Limits leaps, spikes;
-  for (int c = 0; c < 6; ++c) {
-    stopPoint();
-    const auto at = static_cast<std::size_t>(c);
-    leaps[at] = leapLimits(wrench.col(c), kPart);
-    spikes[at] = spikeLimits(wrench.col(c), kPart, leaps[at]);
-  }
+  parallelFor(6, [&](std::size_t c) {
+    const auto channel = wrench.col(static_cast<Eigen::Index>(c));
+    leaps[c] = leapLimits(channel, kPart);
+    spikes[c] = spikeLimits(channel, kPart, leaps[c]);
+  });
   stopPoint();
   // Where there are many, some hide one another.
   if (replaceSingles(out, spikes, leaps, kPart, touched) >= kMany) replaceSingles(out, spikes, leaps, kPart, touched);

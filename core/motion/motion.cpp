@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
 
+#include "core/base/parallel.h"
 #include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/base/stop.h"
@@ -184,6 +186,7 @@ class Smoother {
     if (!denoise_) return;
     const Denoiser denoiser(part, rate_);
     denoiser.apply(work);
+    const std::lock_guard lock(kept_);
     keptHz_ = std::max(keptHz_, denoiser.keptHz());
   }
   /// Weighted sums about the output instants [from, to) of a signal whose first row is row `row` of the grid.
@@ -202,6 +205,7 @@ class Smoother {
   SmoothingKind kind_ = SmoothingKind::lowPass;
   double rate_;
   double cutoff_ = 0.0, keptHz_ = 0.0;
+  std::mutex kept_;  ///< Of keptHz_: run() may be called from two threads.
   bool twicing_ = false, denoise_ = false;
   Output output_;
   SavitzkyGolay savitzkyGolay_;
@@ -227,11 +231,11 @@ VectorXd sampleNoise(const Gridded& signal) {
 /// agree in time. A lag of more than two milliseconds disqualifies them.
 Derivatives withReportedVelocity(Smoother& smoother, const Gridded& positions, const Gridded& velocities,
                                  const std::string& what, Findings& findings) {
-  Derivatives fromPositions = smoother.run(positions, 2);
+  Derivatives fromPositions, fromVelocities;
+  parallelFor(velocities.values.rows() == 0 ? 1 : 2, [&](std::size_t i) {
+    i == 0 ? fromPositions = smoother.run(positions, 2) : fromVelocities = smoother.run(velocities, 1);
+  });
   if (velocities.values.rows() == 0) return fromPositions;
-  stopPoint();
-  Derivatives fromVelocities = smoother.run(velocities, 1);
-  stopPoint();
   const double energy = fromPositions.second.squaredNorm();
   const Channels excess = fromVelocities.value - fromPositions.first;
   const double lag = energy > 0.0 ? -excess.cwiseProduct(fromPositions.second).sum() / energy : 0.0;
@@ -297,14 +301,17 @@ Result<bool> fromJoints(const Recording& recording, const RobotModel* robot, Smo
     motion.dq = d.first.transpose();
     motion.ddq = d.second.transpose();
   }
-  VectorXd qk, dqk, ddqk;
-  for (Eigen::Index k = 0; k < motion.size(); ++k) {
-    if (k % kRowsBetweenStops == 0) stopPoint();
-    qk = d.value.row(k).transpose();
-    dqk = d.first.row(k).transpose();
-    ddqk = d.second.row(k).transpose();
-    setSample(motion, k, robot->frameMotion(*link, X_LS, qk, dqk, ddqk), recording.meta.gravity);
-  }
+  parallelFor(static_cast<std::size_t>((motion.size() + kRowsBetweenStops - 1) / kRowsBetweenStops),
+              [&](std::size_t part) {
+                const Eigen::Index from = static_cast<Eigen::Index>(part) * kRowsBetweenStops;
+                VectorXd qk, dqk, ddqk;
+                for (Eigen::Index k = from; k < std::min(motion.size(), from + kRowsBetweenStops); ++k) {
+                  qk = d.value.row(k).transpose();
+                  dqk = d.first.row(k).transpose();
+                  ddqk = d.second.row(k).transpose();
+                  setSample(motion, k, robot->frameMotion(*link, X_LS, qk, dqk, ddqk), recording.meta.gravity);
+                }
+              });
   return true;
 }
 

@@ -46,7 +46,7 @@ Triangle narrowFit(const Prepared& prepared, std::vector<Run> runs, const WideBa
   if (runs.empty()) return Triangle::Zero();
   FitRowsQuestion question{wide.blocks, runs, {prepared.silent, prepared.rounding}, std::nullopt, nullptr};
   question.predicts = wide.stride;
-  return fitRowsOf(question).whitened;
+  return fitRowsOf(std::move(question)).whitened;
 }
 
 /// Standard deviations of the ten components by the curvature at the mode.

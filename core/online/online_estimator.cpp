@@ -219,10 +219,12 @@ struct OnlineEstimator::Impl {
     for (const auto& lane : blocks)
       prepared.push_back(learnedWith(lane, {labels.begin(), labels.begin() + lane.size()}));
     std::size_t best = 0;
-    for (std::size_t i = 1; i < prepared.size(); ++i)
-      if (!prepared[i].runs.empty() && !prepared[best].runs.empty() &&
-          advantage(prepared[best], prepared[i]) >= kWorthSmoothing)
-        best = i;
+    for (std::size_t i = 1; i < prepared.size(); ++i) {
+      if (prepared[i].runs.empty() || prepared[best].runs.empty() ||
+          advantage(prepared[best], prepared[i]) < kWorthSmoothing)
+        break;
+      best = i;
+    }
     return best;
   }
 

@@ -11,16 +11,15 @@ Changes changesOf(const Eigen::Ref<const MatrixXd>& values) {
   constexpr double kOneStep = 1.5;  // Resolutions: between one step and two
   Changes changes(static_cast<std::size_t>(values.rows()), 0);
   for (Eigen::Index c = 0; c < values.cols(); ++c) {
-    double resolution = std::numeric_limits<double>::infinity();
-    for (Eigen::Index k = 1; k < values.rows(); ++k)
-      if (const double change = std::abs(values(k, c) - values(k - 1, c)); change > 0.0)
-        resolution = std::min(resolution, change);
-    for (Eigen::Index k = 1; k < values.rows(); ++k)
-      if (values(k, c) != values(k - 1, c)) {
-        const bool more = std::abs(values(k, c) - values(k - 1, c)) > kOneStep * resolution;
-        auto& change = changes[static_cast<std::size_t>(k)];
-        change = std::max(change, more ? char{2} : char{1});
-      }
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    const Eigen::Index steps = std::max<Eigen::Index>(0, values.rows() - 1);
+    const Eigen::ArrayXd sizes = (values.col(c).tail(steps) - values.col(c).head(steps)).cwiseAbs();
+    const double resolution = steps > 0 ? (sizes > 0.0).select(sizes, kNone).minCoeff() : kNone;
+    for (Eigen::Index k = 0; k < steps; ++k) {
+      const char change = sizes(k) > kOneStep * resolution ? 2 : sizes(k) != 0.0 ? 1 : 0;
+      auto& most = changes[static_cast<std::size_t>(k + 1)];
+      most = std::max(most, change);
+    }
   }
   if (!changes.empty()) changes[0] = 1;
   return changes;

@@ -5,36 +5,43 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "core/math/statistics.h"
 
 namespace heft {
 
-std::optional<double> stepOf(std::vector<double> readings) {
-  constexpr double kOff = 0.1;  // Steps: the digits of the file, or a finer converter behind a coarse one
+namespace {
+
+/// The values that occur, in order.
+std::vector<double> valuesOf(std::vector<double> readings) {
   std::ranges::sort(readings);
   readings.erase(std::unique(readings.begin(), readings.end()), readings.end());
-  if (readings.size() < 4) return std::nullopt;
+  return readings;
+}
+
+/// As stepOf(), of valuesOf().
+std::optional<double> stepBetween(const std::vector<double>& values) {
+  constexpr double kOff = 0.1;  // Steps: the digits of the file, or a finer converter behind a coarse one
+  if (values.size() < 4) return std::nullopt;
   std::vector<double> apart;
-  for (std::size_t i = 1; i < readings.size(); ++i) apart.push_back(readings[i] - readings[i - 1]);
-  const double lowest = readings.front(), range = readings.back() - lowest;
+  apart.reserve(values.size());
+  for (std::size_t i = 1; i < values.size(); ++i) apart.push_back(values[i] - values[i - 1]);
+  const double lowest = values.front(), range = values.back() - lowest;
   const double step = range / std::round(range / median(std::move(apart)));
-  const bool regular = std::ranges::all_of(readings, [&](double reading) {
-    const double steps = (reading - lowest) / step;
+  const bool regular = std::ranges::all_of(values, [&](double value) {
+    const double steps = (value - lowest) / step;
     return std::abs(steps - std::nearbyint(steps)) < kOff;
   });
   return regular ? std::optional(step) : std::nullopt;
 }
 
-namespace {
-
 /// Of one channel. Two or three values in many readings are steps, too, whatever lies between them.
-double stepOfChannel(const std::vector<double>& readings) {
+double stepOfChannel(std::vector<double> readings) {
   constexpr std::size_t kMany = 20;
-  if (const auto step = stepOf(readings)) return *step;
-  std::vector<double> values = readings;
-  std::ranges::sort(values);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  if (readings.size() < kMany || values.size() < 2 || values.size() > 3) return 0.0;
+  const bool many = readings.size() >= kMany;
+  const std::vector<double> values = valuesOf(std::move(readings));
+  if (const auto step = stepBetween(values)) return *step;
+  if (!many || values.size() < 2 || values.size() > 3) return 0.0;
   return std::min(values[1] - values[0], values.back() - values[values.size() - 2]);
 }
 
@@ -50,16 +57,19 @@ double stepsPassed(const VectorXd& readings, double step, Eigen::Index window) {
 
 }  // namespace
 
+std::optional<double> stepOf(std::vector<double> readings) { return stepBetween(valuesOf(std::move(readings))); }
+
 ReadingSteps readingSteps(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench, double duration) {
   constexpr double kWindow = 0.1;  // [s] Hands guide an arm below 2.5 Hz; noise is averaged.
   ReadingSteps out;
   out.duration = duration;
   const double rows = static_cast<double>(wrench.rows());
   const auto window = std::max<Eigen::Index>(1, std::lround(rows * kWindow / std::max(duration, kWindow)));
-  for (Eigen::Index c = 0; c < 6 && wrench.rows() > 1; ++c) {
+  parallelFor(wrench.rows() > 1 ? 6 : 0, [&](std::size_t channel) {
+    const auto c = static_cast<Eigen::Index>(channel);
     const VectorXd y = wrench.col(c);
     const double step = stepOfChannel({y.begin(), y.end()});
-    if (step <= 0.0) continue;
+    if (step <= 0.0) return;
     out.step(c) = step;
     double way = 0.0;
     for (Eigen::Index k = 1; k < y.size(); ++k) {
@@ -70,7 +80,7 @@ ReadingSteps readingSteps(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench
     // Rounded or not, readings go the same way on average (Buffon's needle): 2 / sqrt(pi) deviations by noise alone.
     const double each = way / rows, load = out.crossings(c) * step / rows;
     out.dither(c) = 0.5 * std::sqrt(std::numbers::pi * std::max(0.0, each * each - load * load));
-  }
+  });
   return out;
 }
 

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <functional>
 
+#include "core/base/parallel.h"
 #include "core/base/stop.h"
+#include "core/recording/frozen.h"
 
 namespace heft {
 
@@ -82,44 +84,58 @@ Eigen::Index pileAt(const std::vector<Level>& levels, Eigen::Index readings) {
 
 }  // namespace
 
-std::vector<FlatTop> flatTops(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench) {
+namespace {
+
+/// Of one channel. `fresh`: the rows that count.
+std::vector<FlatTop> flatTopsOf(int channel, const Eigen::Ref<const Eigen::VectorXd>& y,
+                                const std::vector<Eigen::Index>& fresh) {
   std::vector<FlatTop> out;
+  std::vector<double> values;
+  values.reserve(fresh.size());
+  for (const Eigen::Index i : fresh) values.push_back(y(i));
+  if (hasFewLevels(values)) return out;
+  std::vector<double> ends;
+  for (const auto& levels : {levelsFromEnd(values, std::less<>{}), levelsFromEnd(values, std::greater<>{})})
+    if (const auto at = pileAt(levels, static_cast<Eigen::Index>(fresh.size())); at >= 0)
+      ends.push_back(levels[static_cast<std::size_t>(at)].value);
+  // Both ends at once is where a channel stands that hardly changes.
+  if (ends.size() == 2 && ends.front() == ends.back()) return out;
+  for (const double end : ends) {
+    FlatTop found{channel, end, {}};
+    if (std::abs(found.level) < kZero * (y.maxCoeff() - y.minCoeff())) continue;
+    double still = 0.0, elsewhere = 0.0;
+    for (std::size_t i = 1; i < values.size(); ++i) {
+      if (std::find(ends.begin(), ends.end(), values[i]) != ends.end()) continue;
+      elsewhere += 1.0;
+      still += values[i] == values[i - 1] ? 1.0 : 0.0;
+    }
+    if (still >= kStill * elsewhere) continue;
+    for (Eigen::Index i = 0; i < y.size(); ++i) {
+      if (y(i) != found.level) continue;
+      if (!found.runs.empty() && found.runs.back().second == i)
+        ++found.runs.back().second;
+      else
+        found.runs.push_back({i, i + 1});
+    }
+    out.push_back(std::move(found));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<FlatTop> flatTops(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench) {
+  const Changes changes = changesOf(wrench);
   std::vector<Eigen::Index> fresh;
   for (Eigen::Index i = 0; i < wrench.rows(); ++i)
-    if (!wrench.row(i).isZero(0.0) && (i == 0 || wrench.row(i) != wrench.row(i - 1))) fresh.push_back(i);
+    if (changes[static_cast<std::size_t>(i)] != 0 && !wrench.row(i).isZero(0.0)) fresh.push_back(i);
+  std::vector<FlatTop> out;
   if (fresh.size() < 20) return out;
-  stopPoint();
-  for (int c = 0; c < 6; ++c) {
-    stopPoint();
-    std::vector<double> values;
-    for (const Eigen::Index i : fresh) values.push_back(wrench(i, c));
-    if (hasFewLevels(values)) continue;
-    std::vector<double> ends;
-    for (const auto& levels : {levelsFromEnd(values, std::less<>{}), levelsFromEnd(values, std::greater<>{})})
-      if (const auto at = pileAt(levels, static_cast<Eigen::Index>(fresh.size())); at >= 0)
-        ends.push_back(levels[static_cast<std::size_t>(at)].value);
-    // Both ends at once is where a channel stands that hardly changes.
-    if (ends.size() == 2 && ends.front() == ends.back()) continue;
-    for (const double end : ends) {
-      FlatTop found{c, end, {}};
-      if (std::abs(found.level) < kZero * (wrench.col(c).maxCoeff() - wrench.col(c).minCoeff())) continue;
-      double still = 0.0, elsewhere = 0.0;
-      for (std::size_t i = 1; i < fresh.size(); ++i) {
-        if (std::find(ends.begin(), ends.end(), wrench(fresh[i], c)) != ends.end()) continue;
-        elsewhere += 1.0;
-        still += wrench(fresh[i], c) == wrench(fresh[i - 1], c) ? 1.0 : 0.0;
-      }
-      if (still >= kStill * elsewhere) continue;
-      for (Eigen::Index i = 0; i < wrench.rows(); ++i) {
-        if (wrench(i, c) != found.level) continue;
-        if (!found.runs.empty() && found.runs.back().second == i)
-          ++found.runs.back().second;
-        else
-          found.runs.push_back({i, i + 1});
-      }
-      out.push_back(std::move(found));
-    }
-  }
+  std::array<std::vector<FlatTop>, 6> found;
+  parallelFor(6, [&](std::size_t c) {
+    found[c] = flatTopsOf(static_cast<int>(c), wrench.col(static_cast<Eigen::Index>(c)), fresh);
+  });
+  for (auto& of : found) out.insert(out.end(), of.begin(), of.end());
   return out;
 }
 

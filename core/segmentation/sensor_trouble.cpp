@@ -1,12 +1,13 @@
 #include "core/segmentation/sensor_trouble.h"
 
 #include <algorithm>
+#include <array>
 
+#include "core/base/parallel.h"
 #include "core/base/say.h"
 #include "core/math/statistics.h"
 #include "core/recording/frozen.h"
 #include "core/recording/leaps.h"
-#include "core/segmentation/flat_tops.h"
 
 namespace heft {
 
@@ -75,6 +76,10 @@ void addLeaps(const Recording& recording, std::vector<Trouble>& out) {
 }  // namespace
 
 std::vector<Trouble> sensorTrouble(const Recording& recording) {
+  return sensorTrouble(recording, flatTops(recording.wrench));
+}
+
+std::vector<Trouble> sensorTrouble(const Recording& recording, const std::vector<FlatTop>& tops) {
   std::vector<Trouble> out;
   const auto& wrench = recording.wrench;
   const VectorXd& time = recording.time;
@@ -83,17 +88,23 @@ std::vector<Trouble> sensorTrouble(const Recording& recording) {
   const auto add = [&](const FrozenStretch& stretch, const std::string& reason) {
     if (stretch.length() < wrench.rows()) out.push_back({time(stretch.from), time(stretch.to - 1), reason});
   };
-  const Changes changes = changesOf(wrench);
+  std::array<Changes, 6> each;
+  parallelFor(6, [&](std::size_t c) { each[c] = changesOf(wrench.col(static_cast<Eigen::Index>(c))); });
+  Changes changes = each[0];
+  for (const Changes& of : each)
+    std::ranges::transform(changes, of, changes.begin(), [](char a, char b) { return std::max(a, b); });
   for (const FrozenStretch& hung : frozenStretches(time, changes, kShortest))
     add(hung, heft::say("Sensor values frozen: no new data."));
   const auto silent = silentChannels(wrench);
-  const auto tops = flatTops(wrench);
   const auto cut = mostlyCutOff(tops, wrench.rows());
-  for (Eigen::Index c = 0; c < 6; ++c) {
-    if (silent[static_cast<std::size_t>(c)] || cut[static_cast<std::size_t>(c)]) continue;
-    for (const FrozenStretch& alone : frozenAlone(time, changesOf(wrench.col(c)), changes))
-      add(alone, heft::say("{} is frozen here while others go on: it was not measured.", nameOf(c)));
-  }
+  std::array<std::vector<FrozenStretch>, 6> alone;
+  parallelFor(6, [&](std::size_t c) {
+    if (!silent[c] && !cut[c]) alone[c] = frozenAlone(time, each[c], changes);
+  });
+  for (std::size_t c = 0; c < 6; ++c)
+    for (const FrozenStretch& stretch : alone[c])
+      add(stretch, heft::say("{} is frozen here while others go on: it was not measured.",
+                             nameOf(static_cast<Eigen::Index>(c))));
   for (const FlatTop& flat : tops) {
     if (cut[static_cast<std::size_t>(flat.channel)]) continue;
     const std::string reason = heft::say("{} is cut off at {:.4g} {}: the sensor is at the end of its range.",

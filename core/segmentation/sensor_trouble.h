@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/recording/recording.h"
+#include "core/segmentation/flat_tops.h"
 
 namespace heft {
 
@@ -17,7 +18,8 @@ struct Trouble {
 /// than 20 ms: what lies between was made up), or a channel is cut off at the end of its range
 /// (flatTops()) in three rows or more with at most 40 ms between them. Of a channel that is cut off in most rows
 /// (mostlyCutOff()) nothing is said. Where the posture hung or
-/// leaps (postureLeaps()), kAroundLeap to either side counts, too.
+/// leaps (postureLeaps()), kAroundLeap to either side counts, too. `tops`: flatTops() of its wrench.
+std::vector<Trouble> sensorTrouble(const Recording& recording, const std::vector<FlatTop>& tops);
 std::vector<Trouble> sensorTrouble(const Recording& recording);
 
 }  // namespace heft

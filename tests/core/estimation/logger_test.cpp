@@ -98,6 +98,25 @@ TEST(Loggers, HeldReadingsCountOnceWithTheMotionOfTheirMoment) {
   EXPECT_LE(far, 0.02 * claims);
 }
 
+/// What the fit leaves over is asked of the readings' own moments, however often they come.
+TEST(Loggers, HeldReadingsAreJudgedAtTheirMoments) {
+  for (const Eigen::Index rows : {2, 3, 8, 40}) {
+    Simulated simulated = demonstration(21, 12.0);
+    auto& wrench = simulated.recording.wrench;
+    for (Eigen::Index k = 0; k < wrench.rows(); ++k) wrench.row(k) = wrench.row(k / rows * rows).eval();
+    for (const Method method : {Method::map, Method::ls, Method::tlsExact}) {
+      EstimateOptions options;
+      options.method = method;
+      const auto report = estimate(simulated.recording, &RobotModel::panda(), options);
+      ASSERT_TRUE(report.ok()) << report.error().message;
+      EXPECT_TRUE(said(*report, "wrench_held")) << rows;
+      EXPECT_FALSE(method == Method::map && said(*report, "misfit")) << rows;
+      EXPECT_LT(report->forceRms, 0.3) << rows;  // [N]
+      EXPECT_NEAR(report->payload.mass, simulated.truth.payload.mass, 0.02 * simulated.truth.payload.mass) << rows;
+    }
+  }
+}
+
 TEST(Loggers, CoarseStepsAreNoExactReadings) {
   int claims = 0;
   for (std::uint64_t seed = 11; seed <= 18; ++seed) {
