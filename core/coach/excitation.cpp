@@ -26,7 +26,7 @@ constexpr int kSines = 3;              // a joint
 /// The taught path as a function of its own time, from 0.
 JointMotion taughtPath(const Recording& recording) {
   const UniformGrid grid = gridFor(recording.time);
-  Channels q = onGrid(grid, recording.time, recording.q, false);
+  Channels q = onGrid(grid, recording.time, recording.q);
   const double cutoff = std::min(kTaughtHz, 0.2 * grid.rateHz);
   const auto pad = static_cast<Eigen::Index>(std::ceil(2.0 * grid.rateHz / cutoff));
   const auto stride = std::max<Eigen::Index>(1, std::lround(grid.rateHz / kOutputRate));

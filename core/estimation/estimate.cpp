@@ -319,7 +319,8 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   if (report.parameters != ParameterSet::full)
     markFixed(options, known.inertiaCom || told.inertia, report.identifiability);
   if (!poses)
-    report.identifiability.weakDirections = weakDirections(report.identifiability, prepared.motion, mapPayload);
+    report.identifiability.weakDirections =
+        weakDirections(report.identifiability, prepared.motion, mapPayload, prepared.silent);
   report.evidence = evidenceOf(whitened, options.bias, map.phi, priorAlone, told);
 
   const Residuals inSample = residualsOver(prepared, [&](Eigen::Index) -> const SolverSolution& { return solution; });

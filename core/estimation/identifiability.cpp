@@ -160,8 +160,9 @@ Identifiability assess(const Triangle& R, const MapPrior& prior, const MapSoluti
 }
 
 std::vector<std::string> weakDirections(const Identifiability& identifiability, const Motion& motion,
-                                        const Payload& payload) {
+                                        const Payload& payload, const std::array<bool, 6>& silent) {
   std::vector<std::string> words;
+  const bool deafForces = silent[0] || silent[1] || silent[2], deafTorques = silent[3] || silent[4] || silent[5];
   const double degrees = 180.0 / std::numbers::pi;
   // Gravity's directions in S: their mean length is 1 if the tool was never tilted.
   Vector3d mean = Vector3d::Zero();
@@ -170,12 +171,12 @@ std::vector<std::string> weakDirections(const Identifiability& identifiability, 
   const double spread = std::acos(std::clamp(mean.norm(), 0.0, 1.0)) * degrees;
   const bool comWeak =
       std::any_of(identifiability.com.begin(), identifiability.com.end(), [](Source s) { return s != Source::data; });
-  if (identifiability.mass != Source::data)
+  if (identifiability.mass != Source::data && !deafForces)
     words.push_back(
         heft::say("The tool kept nearly the same tilt (about {:.0f} degrees of change), so its weight cannot be "
                   "separated from the sensor's bias.",
                   spread));
-  if (comWeak) {
+  if (comWeak && !deafTorques) {
     std::string axes;
     for (std::size_t i = 0; i < 3; ++i)
       if (identifiability.com[i] != Source::data) axes += (axes.empty() ? "" : ", ") + std::string(kAxes[i]);
@@ -189,7 +190,7 @@ std::vector<std::string> weakDirections(const Identifiability& identifiability, 
   for (int i = 0; i < 3; ++i)
     if (identifiability.inertia[static_cast<std::size_t>(i)][static_cast<std::size_t>(i)] != Source::data)
       weak(i) = 1.0;
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3 && !deafTorques; ++i) {
     const Vector3d axis = axes.R.col(i);
     if (axis.cwiseAbs2().dot(weak) < 0.5) continue;
     words.push_back(

@@ -53,7 +53,8 @@ Identifiability assess(const Triangle& R, const MapPrior& prior, const MapSoluti
                        const ToldParts& told);
 
 /// Says which rotation or tilt was missing for what is not measured, in terms of the tool's own axes where it has any.
+/// Nothing of what a channel that says nothing would have shown: no motion makes up for it.
 std::vector<std::string> weakDirections(const Identifiability& identifiability, const Motion& motion,
-                                        const Payload& payload);
+                                        const Payload& payload, const std::array<bool, 6>& silent);
 
 }  // namespace heft

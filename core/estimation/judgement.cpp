@@ -30,7 +30,20 @@ Residuals residualsOver(const Prepared& prepared,
       }
     }
   sum /= std::max(1.0, count);
-  return {std::sqrt(sum.head<3>().mean()), std::sqrt(sum.tail<3>().mean()), sum.cwiseSqrt()};
+  Residuals out;
+  out.channels = sum.cwiseSqrt();
+  const auto meanOver = [&](int first) {
+    double squares = 0.0, channels = 0.0;
+    for (int c = first; c < first + 3; ++c) {
+      if (prepared.silent[static_cast<std::size_t>(c)]) continue;
+      squares += sum(c);
+      channels += 1.0;
+    }
+    return std::sqrt(squares / std::max(1.0, channels));
+  };
+  out.force = meanOver(0);
+  out.torque = meanOver(3);
+  return out;
 }
 
 Vector6d scatterOf(const Eigen::Matrix<double, 6, Eigen::Dynamic>& samples) {

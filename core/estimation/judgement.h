@@ -15,7 +15,8 @@ struct Residuals {
   Vector6d channels = Vector6d::Zero();
 };
 
-/// Over the samples of the used blocks; each block is predicted by its own solution (held-out checks).
+/// Over the samples of the used blocks, channels that say nothing left out of the means; each block is predicted by its
+/// own solution (held-out checks).
 Residuals residualsOver(const Prepared& prepared,
                         const std::function<const SolverSolution&(Eigen::Index block)>& solutionOf);
 

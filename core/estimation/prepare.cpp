@@ -86,9 +86,8 @@ void saySilent(const std::array<bool, 6>& silent, const std::array<bool, 6>& cut
     findings.push_back(
         {Severity::warning,
          "channel_unused",
-         heft::say(
-             "Nearly all readings of {} are one value. They show nothing of the payload, so the channel is not used.",
-             joined(still)),
+         heft::say("Not used, since they hold one value nearly all the time and show nothing of the payload: {}.",
+                   joined(still)),
          heft::say("Check that it was logged, or choose a finer measuring range of the sensor."),
          {}});
   if (!limited.empty())

@@ -40,10 +40,9 @@ struct Gridded {
   const UniformGrid& grid;
   const VectorXd& time;
   Eigen::Ref<const MatrixXd> values;  ///< Rows belong to `time`
-  bool linear = false;                ///< As for onGrid()
 
   Eigen::Index channels() const { return values.cols(); }
-  Channels rows(Eigen::Index from, Eigen::Index to) const { return onGrid(grid, time, values, linear, from, to); }
+  Channels rows(Eigen::Index from, Eigen::Index to) const { return onGrid(grid, time, values, from, to); }
   Channels all() const { return rows(0, grid.size); }
 };
 
@@ -353,7 +352,7 @@ void fromPoses(const Recording& recording, Smoother& smoother, const UniformGrid
 void askAccelerometer(const Recording& recording, Smoother& smoother, const UniformGrid& grid, Motion& motion) {
   const auto like = [&](const Eigen::Ref<const MatrixXd>& series) -> Eigen::Matrix3Xd {
     if (series.rows() == 0) return Eigen::Matrix3Xd(3, 0);
-    const Gridded gridded{grid, recording.time, series, true};
+    const Gridded gridded{grid, recording.time, series};
     return (motion.originAccelerationKnown ? smoother.run(gridded, 0).value : smoother.wrench(gridded)).transpose();
   };
   hearAccelerometer(like(recording.accelerometer), like(recording.gyroscope), motion);
@@ -458,7 +457,7 @@ Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, con
   }
   motion.keptHz = smoother.keptHz();
   if (recording.wrench.rows() > 0)  // noisierMotion() has none
-    motion.wrench = smoother.wrench({grid, recording.time, recording.wrench, true}).transpose();
+    motion.wrench = smoother.wrench({grid, recording.time, recording.wrench}).transpose();
   else
     motion.wrench.setZero(6, motion.size());
   if (recording.hasAccelerometer()) askAccelerometer(recording, smoother, grid, motion);

@@ -44,7 +44,7 @@ std::optional<VectorXd> whiteNoiseOf(const UniformGrid& grid, const VectorXd& ti
   const Eigen::Index windows = std::min(kMostWindows, grid.size / span);
   for (Eigen::Index w = 0; w < windows; ++w) {
     const Eigen::Index from = windows > 1 ? w * (grid.size - span) / (windows - 1) : 0;
-    Channels x = onGrid(grid, time, values, false, from, from + span);
+    Channels x = onGrid(grid, time, values, from, from + span);
     for (int d = 0; d < kTimesDifferenced; ++d) x = Channels(x.bottomRows(x.rows() - 1) - x.topRows(x.rows() - 1));
     const MatrixXd found = taperedPower(x.transpose(), kLastLine);
     for (Eigen::Index k = kFirstLine; k < kLastLine; ++k) {

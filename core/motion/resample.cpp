@@ -39,21 +39,23 @@ void interpolate(const std::array<Eigen::Index, 4>& rows, double t, const Vector
 
 namespace {
 
-/// Rows that bridge the gap which ends at row `right`: its ends, and one as far away from each as it is long, since
-/// slopes between close rows are mostly noise. None where it is too long to be bridged, or near an end of the
-/// recording.
-std::optional<std::array<Eigen::Index, 4>> bridge(const VectorXd& time, Eigen::Index right) {
+/// The rows before and after an instant between `right` - 1 and `right`, and beyond each the next that is at least half
+/// as far away as they are apart: slopes between close rows are mostly noise. None over a gap that is too long to be
+/// bridged, or near an end of the recording.
+std::optional<std::array<Eigen::Index, 4>> rowsAround(const VectorXd& time, Eigen::Index right) {
   constexpr double kLongest = 0.5;  // [s]
-  const double from = time(right - 1), to = time(right), away = to - from;
-  if (away > kLongest || from - away < time(0) || to + away > time(time.size() - 1)) return std::nullopt;
-  const double* first = time.data();
-  return std::array<Eigen::Index, 4>{std::upper_bound(first, first + right, from - away) - first - 1, right - 1, right,
-                                     std::lower_bound(first + right, first + time.size(), to + away) - first};
+  const double apart = time(right) - time(right - 1);
+  if (apart > kLongest) return std::nullopt;
+  Eigen::Index before = right - 2, after = right + 1;
+  while (before >= 0 && time(right - 1) - time(before) < 0.5 * apart) --before;
+  while (after < time.size() && time(after) - time(right) < 0.5 * apart) ++after;
+  if (before < 0 || after >= time.size()) return std::nullopt;
+  return std::array<Eigen::Index, 4>{before, right - 1, right, after};
 }
 
 }  // namespace
 
-Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, bool linear,
+Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values,
                 Eigen::Index from, Eigen::Index to) {
   if (grid.exact) return values.middleRows(from, to - from);
   const Eigen::Index n = time.size();
@@ -67,12 +69,7 @@ Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<
     const double t = std::min(grid.start + static_cast<double>(k) / grid.rateHz, time(n - 1));
     while (right < n - 1 && time(right) < t) ++right;
     const double left = time(right - 1);
-    const bool gap = time(right) - left > 3.0 / grid.rateHz;
-    std::optional<std::array<Eigen::Index, 4>> rows;
-    if (gap && !linear)
-      rows = bridge(time, right);
-    else if (!linear && right >= 2 && right <= n - 2)
-      rows = {right - 2, right - 1, right, right + 1};
+    const auto rows = rowsAround(time, right);
     const double u = (t - left) / (time(right) - left);
     if (rows)
       interpolate(*rows, t, time, values, out.row(k - from));
@@ -82,8 +79,8 @@ Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<
   return out;
 }
 
-Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, bool linear) {
-  return onGrid(grid, time, values, linear, 0, grid.size);
+Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values) {
+  return onGrid(grid, time, values, 0, grid.size);
 }
 
 }  // namespace heft

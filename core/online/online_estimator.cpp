@@ -35,11 +35,12 @@ constexpr Eigen::Index kChoosingTime = 25;  // the same for the choice of the sm
 /// No number is told while the fit misses the force by more than this share of what it does (standard deviations), and
 /// by more than so many times what the readings scatter by themselves: what is missed then is no noise.
 constexpr double kDescribes = 0.2, kAboveScatter = 5.0;
+/// Nor while it leaves this share of a load that is so many times what they scatter: then it describes next to nothing.
+constexpr double kNothing = 0.7, kLoaded = 2.0;
 constexpr std::size_t kMostSteps = 1000;  // Samples whose stamps tell the jitter
-constexpr double kJitterShare = 0.2;      // Of a step from which on it is told,
-constexpr double kJitter = 2e-4;          // and [s]
-/// [s] from which on no number is told: its interval would not hold the truth (`live_study`).
-constexpr double kTooMuchJitter = 1e-3;
+/// Jitter from which on no number is told: its interval would not hold the truth (`live_study`). Up to a fifth of a step
+/// EvenStamps takes it out; [s].
+constexpr double kJitterShare = 0.2, kHarmlessJitter = 2e-4, kTooMuchJitter = 1e-3;
 constexpr Eigen::Index kSuspicious = 50;  // blocks of contact after which nothing is learned until it is over
 
 }  // namespace
@@ -165,6 +166,9 @@ struct OnlineEstimator::Impl {
 
   /// How far the newest time stamps lie off even steps.
   StampScatter stamps() const { return stampScatter({steps.begin(), steps.end()}); }
+  static bool tooMuch(const StampScatter& scatter) {
+    return scatter.off > std::clamp(kJitterShare * scatter.step, kHarmlessJitter, kTooMuchJitter);
+  }
 
   /// Whether what the fit leaves over in the forces is anything like what the sensor scatters. Contact counts, too:
   /// what a fit calls so because it misses it says nothing for the fit; robust scatter lets half of it pass.
@@ -190,6 +194,7 @@ struct OnlineEstimator::Impl {
       scatter += std::pow(robustStd(bends[c]), 2) / 6.0;
       made += std::pow(robustStd(load[c]), 2);
     }
+    if (made > kLoaded * kLoaded * scatter && missed > kNothing * kNothing * made) return false;
     return missed < kDescribes * kDescribes * made || missed < kAboveScatter * kAboveScatter * scatter;
   }
 
@@ -408,7 +413,7 @@ void OnlineEstimator::Impl::fillState() const {
          {}});
   for (const auto& finding : lanes[chosen].findings) state.findings.push_back(finding);
   const StampScatter scatter = stamps();
-  if (scatter.off > std::max(kJitter, kJitterShare * scatter.step))
+  if (tooMuch(scatter))
     state.findings.push_back(
         {Severity::warning,
          "stamps_jitter",
@@ -418,7 +423,7 @@ void OnlineEstimator::Impl::fillState() const {
          heft::say("Let the source stamp its samples when they are measured, not when they are sent."),
          {}});
   const bool agrees = !learner.estimated() || fitAgrees();
-  state.estimated = learner.estimated() && scatter.off < kTooMuchJitter && agrees;
+  state.estimated = learner.estimated() && !tooMuch(scatter) && agrees;
   if (!agrees)
     state.findings.push_back(
         {Severity::warning,

@@ -156,14 +156,14 @@ Recording SampleStream::window(Eigen::Index from, Eigen::Index to) const {
   out.meta = meta_;
   out.time.resize(grid.size);
   for (Eigen::Index k = 0; k < grid.size; ++k) out.time(k) = at(from + k);
-  out.wrench = onGrid(grid, time, wrench, true);
+  out.wrench = onGrid(grid, time, wrench);
   if (poses) {
-    out.quaternion = onGrid(grid, time, orientation, false);
+    out.quaternion = onGrid(grid, time, orientation);
     out.quaternion.rowwise().normalize();
-    if (position) out.position = onGrid(grid, time, p, false);
+    if (position) out.position = onGrid(grid, time, p);
   } else {
-    out.q = onGrid(grid, time, q, false);
-    if (velocities) out.dq = onGrid(grid, time, dq, false);
+    out.q = onGrid(grid, time, q);
+    if (velocities) out.dq = onGrid(grid, time, dq);
   }
   return out;
 }

@@ -25,16 +25,20 @@ Changes changesOf(const Eigen::Ref<const MatrixXd>& values) {
   return changes;
 }
 
+bool inSingleSteps(const Changes& changes) {
+  constexpr double kMostly = 0.9;
+  const auto single = std::ranges::count(changes, char{1}), more = std::ranges::count(changes, char{2});
+  return static_cast<double>(single) > kMostly * static_cast<double>(single + more);
+}
+
 Eigen::Index countIn(const Changes& changes, Eigen::Index from, Eigen::Index to) {
   return to - from - std::count(changes.begin() + from, changes.begin() + to, char{0});
 }
 
 std::vector<FrozenStretch> frozenStretches(const VectorXd& time, const Changes& changes, double shortest) {
   const auto rows = time.size();
-  constexpr double kMostly = 0.9;
   const auto runs = countIn(changes, 0, rows);
-  const bool coarse =
-      static_cast<double>(std::count(changes.begin(), changes.end(), char{1})) > kMostly * static_cast<double>(runs);
+  const bool coarse = inSingleSteps(changes);
   std::vector<FrozenStretch> stretches;
   for (Eigen::Index from = 0; from < rows;) {
     auto to = from + 1;

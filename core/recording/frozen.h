@@ -13,6 +13,9 @@ using Changes = std::vector<char>;
 /// How each row differs from the row before, over all columns. A column's resolution is its smallest change.
 Changes changesOf(const Eigen::Ref<const MatrixXd>& values);
 
+/// Whether nine of ten changes are a single step, as where the steps are coarser than the noise.
+bool inSingleSteps(const Changes& changes);
+
 /// How many of the rows from..to-1 change.
 Eigen::Index countIn(const Changes& changes, Eigen::Index from, Eigen::Index to);
 

@@ -113,6 +113,14 @@ class SignalChecker {
       const double share = static_cast<double>(count) / static_cast<double>(rows_ - 1);
       if (share < 0.02) return;
       const auto first = std::find(changes.begin() + 1, changes.end(), char{0}) - changes.begin();
+      if (inSingleSteps(changes)) {
+        examined_.note(
+            share > loud ? Severity::warning : Severity::info, "coarse_steps", examined_.at(first),
+            heft::say("{} of the rows repeat the {} of the row before: its steps are coarser than its noise.",
+                      percent(share), what),
+            heft::say("Choose a finer measuring range, or a file format with more digits."));
+        return;
+      }
       examined_.note(share > loud ? Severity::warning : Severity::info, code, examined_.at(first),
                      heft::say("{} of the rows repeat the {} of the row before: new values come at about "
                                "{:.3g} Hz, rows at {:.4g} Hz.",

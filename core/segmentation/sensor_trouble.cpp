@@ -8,6 +8,7 @@
 #include "core/math/statistics.h"
 #include "core/recording/frozen.h"
 #include "core/recording/leaps.h"
+#include "core/recording/replayed.h"
 
 namespace heft {
 
@@ -111,6 +112,9 @@ std::vector<Trouble> sensorTrouble(const Recording& recording, const std::vector
                                          nameOf(flat.channel), flat.level, flat.channel < 3 ? "N" : "N m");
     for (const FrozenStretch& stretch : cutStretches(flat, time)) add(stretch, reason);
   }
+  for (const Replay& replay : replayedStretches(time, wrench))
+    add(replay.at,
+        heft::say("The readings are those from {:.2f} s on once more: they were logged twice.", time(replay.from)));
   addGaps(time, out);
   addLeaps(recording, out);
   std::sort(out.begin(), out.end(), [](const Trouble& a, const Trouble& b) { return a.from < b.from; });

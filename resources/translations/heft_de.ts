@@ -9265,10 +9265,6 @@ Rauschen %3</translation>
         <translation>Die Positionen wurden vor der Aufzeichnung um {} ms zu beiden Seiten geglättet, sodass Schnelles in ihnen zu klein ist.</translation>
     </message>
     <message>
-        <source>Nearly all readings of {} are one value. They show nothing of the payload, so the channel is not used.</source>
-        <translation>Kaum ein Messwert von {} verlässt einen Wert: das sagt nichts über die Last und wird nicht verwendet.</translation>
-    </message>
-    <message>
         <source>&quot;{}&quot; would explain some of the misfit, but it is so small that Heft&apos;s own smoothing of the motion may cause as much. It is not reported.</source>
         <translation>„{}“ würde einen Teil der Abweichung erklären, ist aber so klein, dass unsere eigene Glättung der Bewegung ebenso viel übrig lassen kann. Es wird nicht genannt.</translation>
     </message>
@@ -9871,6 +9867,18 @@ Rauschen %3</translation>
     <message>
         <source>Copy it again from where it was recorded, or save it again there.</source>
         <translation>Kopieren Sie sie noch einmal von dort, wo sie aufgezeichnet wurde, oder speichern Sie sie dort neu.</translation>
+    </message>
+    <message>
+        <source>Not used, since they hold one value nearly all the time and show nothing of the payload: {}.</source>
+        <translation>Nicht verwendet, da sie fast durchgehend einen einzigen Wert haben und nichts von der Nutzlast zeigen: {}.</translation>
+    </message>
+    <message>
+        <source>{} of the rows repeat the {} of the row before: its steps are coarser than its noise.</source>
+        <translation>{} der Zeilen wiederholen {} der Zeile davor: Die Stufen sind gröber als das Rauschen.</translation>
+    </message>
+    <message>
+        <source>The readings are those from {:.2f} s on once more: they were logged twice.</source>
+        <translation>Die Messwerte sind noch einmal die ab {:.2f} s: Sie wurden doppelt aufgezeichnet.</translation>
     </message>
 </context>
 <context>

@@ -33,6 +33,12 @@ void jittering(VectorXd& time, Random& random) {
   std::normal_distribution<double> normal(0.0, 1e-6 * microseconds);
   for (auto& t : time) t += normal(random);
 }
+/// Stamped when they are passed on, which is never too early.
+template <int microseconds>
+void late(VectorXd& time, Random& random) {
+  std::normal_distribution<double> normal(0.0, 1e-6 * microseconds);
+  for (auto& t : time) t += std::abs(normal(random));
+}
 /// Stamps that wander to and fro three times a second, as buffers between two programs make them.
 template <int microseconds>
 void wandering(VectorXd& time, Random& random) {
@@ -58,6 +64,9 @@ const Class kClasses[] = {{"exact", 0.0, 0.0},
                           {"jitter 0.5 ms", 1e-5, 0.0, jittering<500>},
                           {"jitter 1 ms", 1e-5, 0.0, jittering<1000>},
                           {"jitter 3 ms", 1e-5, 0.0, jittering<3000>},
+                          {"late by 1 ms", 1e-5, 0.0, late<1000>},
+                          {"late by 1.5 ms", 1e-5, 0.0, late<1500>},
+                          {"late by 2 ms", 1e-5, 0.0, late<2000>},
                           {"wandering 1 ms", 1e-5, 0.0, wandering<1000>},
                           {"wandering 3 ms", 1e-5, 0.0, wandering<3000>},
                           {"wandering 10 ms", 1e-5, 0.0, wandering<10000>},
@@ -101,7 +110,7 @@ void one(const Class& kind, unsigned seed, Tally& tally) {
   Random random(seed);
   const Payload payload = test::randomTool(random).payload;
   SimulateOptions options;
-  options.motion = MotionKind::free;
+  options.motion = seed % 2 == 0 ? MotionKind::free : MotionKind::pickAndPlace;
   options.duration = 12.0;
   options.rateHz = 250.0;
   options.seed = random();

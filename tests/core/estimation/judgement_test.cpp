@@ -147,6 +147,8 @@ TEST(Judgement, DeadTorquesAreNeitherCountedNorTrusted) {
     ASSERT_TRUE(report.ok());
     EXPECT_NE(found(*report, "channel_unused"), nullptr);
     EXPECT_EQ(found(*report, "misfit"), nullptr);
+    EXPECT_LT(report->heldoutTorqueRms, 0.01);  // [N m]
+    EXPECT_TRUE(report->identifiability.weakDirections.empty()) << "no motion makes up for a channel that is dead";
     const Matrix3d truth = test::boxPayload(2.0, {0.08, 0.1, 0.06}, {0.01, 0.0, 0.05}).inertiaCom;
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) {

@@ -117,6 +117,39 @@ TEST(Loggers, HeldReadingsAreJudgedAtTheirMoments) {
   }
 }
 
+/// Between rows that came at uneven times nothing is made smaller than it was.
+TEST(Loggers, RowsLostAtRandomTakeNothingFromTheMass) {
+  double sum = 0.0;
+  int claims = 0, far = 0;
+  for (std::uint64_t seed = 31; seed <= 38; ++seed) {
+    const auto simulated = [&] {
+      SimulateOptions options;
+      options.motion = MotionKind::pickAndPlace;
+      options.seed = seed;
+      options.duration = 15.0;
+      return *simulate(RobotModel::panda(), test::boxPayload(0.8, {0.08, 0.06, 0.16}, {0.005, -0.004, 0.08}), options);
+    }();
+    std::mt19937 random(static_cast<unsigned>(seed));
+    std::vector<Eigen::Index> kept;
+    for (Eigen::Index k = 0; k < simulated.recording.rows(); ++k)
+      if (random() % 4 == 0) kept.push_back(k);
+    Recording thinned = simulated.recording;
+    thinned.time = simulated.recording.time(kept).eval();
+    thinned.q = simulated.recording.q(kept, Eigen::all).eval();
+    thinned.dq = simulated.recording.dq(kept, Eigen::all).eval();
+    thinned.wrench = simulated.recording.wrench(kept, Eigen::all).eval();
+    const auto report = estimate(thinned, &RobotModel::panda(), {});
+    ASSERT_TRUE(report.ok()) << report.error().message;
+    sum += (report->payload.mass - simulated.truth.payload.mass) / report->std.mass;
+    int ignored = 0;
+    EXPECT_EQ(beyond(*report, simulated.truth.payload, 5.0, ignored), 0) << "seed " << seed;
+    far += beyond(*report, simulated.truth.payload, 4.0, claims);
+  }
+  EXPECT_NEAR(sum / 8.0, 0.0, 1.0);
+  EXPECT_GT(claims, 60);
+  EXPECT_EQ(far, 0);
+}
+
 TEST(Loggers, CoarseStepsAreNoExactReadings) {
   int claims = 0;
   for (std::uint64_t seed = 11; seed <= 18; ++seed) {

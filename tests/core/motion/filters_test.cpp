@@ -170,7 +170,7 @@ TEST(Resample, JitterIsInterpolatedToThirdOrder) {
   }
   const UniformGrid grid = gridFor(time);
   EXPECT_FALSE(grid.exact);
-  const Channels out = onGrid(grid, time, values, false);
+  const Channels out = onGrid(grid, time, values);
   for (Eigen::Index k = 5; k < grid.size - 5; ++k)
     EXPECT_NEAR(out(k, 0), std::sin(2 * kPi * 0.7 * (grid.start + static_cast<double>(k) / grid.rateHz)), 1e-5);
 }
@@ -184,7 +184,7 @@ TEST(Resample, AGapIsBridged) {
     const VectorXd time = Eigen::Map<const VectorXd>(kept.data(), std::ssize(kept));
     const auto wave = [](double t) { return std::sin(2 * kPi * 0.5 * t); };
     const UniformGrid grid = gridFor(time);
-    const Channels out = onGrid(grid, time, time.unaryExpr(wave), false);
+    const Channels out = onGrid(grid, time, time.unaryExpr(wave));
     double error = 0.0;
     for (Eigen::Index k = 0; k < grid.size; ++k)
       error = std::max(error, std::abs(out(k, 0) - wave(grid.start + static_cast<double>(k) / grid.rateHz)));

@@ -101,6 +101,16 @@ TEST(Frozen, LoggerThatHungIsSeenFromTheJump) {
   EXPECT_THAT(finding->text, HasSubstr("The posture"));
 }
 
+TEST(Repeats, CoarseStepsAreNoRate) {
+  auto table = goodTable(Form::joints, 400);
+  for (std::size_t r = 0; r < 400; ++r)
+    for (const char* name : {"fx", "fy", "fz", "tx", "ty", "tz"})
+      table.cell(r, name) = std::to_string(r / 7 % 3 == 2 ? 1 : r / 7 % 3);
+  const auto findings = findingsOf(table);
+  EXPECT_EQ(findCode(findings, "wrench_repeated"), nullptr);
+  EXPECT_NE(findCode(findings, "coarse_steps"), nullptr) << allLines(findings);
+}
+
 TEST(Repeats, ShareAndTrueRateAreSaid) {
   auto table = goodTable(Form::joints, 400);
   for (std::size_t r = 1; r < 400; r += 2)

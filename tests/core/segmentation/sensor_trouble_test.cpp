@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/recording/replayed.h"
 #include "core/segmentation/flat_tops.h"
 #include "core/segmentation/segmentation.h"
 #include "core/simulation/simulate.h"
@@ -68,6 +69,24 @@ TEST(SensorTrouble, WhatStandsStillOrIsMissingIsLeftOutAndCanBeTakenBack) {
   EXPECT_NEAR(troubled(gap, SegmentMode::automatic), 0.05 / 8.05, 0.006);
   EXPECT_GT(troubled(gap, SegmentMode::automatic), 0.0);
   EXPECT_DOUBLE_EQ(troubled(gap, SegmentMode::all), 0.0);
+}
+
+TEST(SensorTrouble, WhatWasLoggedTwiceCountsOnce) {
+  const Recording whole = aRecording(39);
+  const Eigen::Index rows = whole.rows();
+  EXPECT_DOUBLE_EQ(troubled(whole, SegmentMode::automatic), 0.0);
+  Recording half = whole, second = whole, toggling = whole;
+  half.wrench.bottomRows(rows / 2) = whole.wrench.topRows(rows / 2);
+  EXPECT_NEAR(troubled(half, SegmentMode::automatic), 0.5, 0.01);
+  second.wrench.middleRows(6000, 1000) = whole.wrench.middleRows(1500, 1000);
+  const auto found = replayedStretches(second.time, second.wrench);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].at.from, 6000);
+  EXPECT_EQ(found[0].at.to, 7000);
+  EXPECT_EQ(found[0].from, 1500);
+  for (Eigen::Index k = 0; k < rows; ++k)
+    for (Eigen::Index c = 0; c < 6; ++c) toggling.wrench(k, c) = k / 3 % 2 == 0 ? 1.0 : 2.0;
+  EXPECT_TRUE(replayedStretches(toggling.time, toggling.wrench).empty());
 }
 
 TEST(SensorTrouble, ACoarseChannelIsFrozenOnlyWhereItLeaps) {
