@@ -423,12 +423,16 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     return finish(std::move(*poses), fit);
   }
 
-  Eigen::Index spikes = 0;
+  Eigen::Index zeros = 0, spikes = 0;
   std::optional<Recording> mended;
   stopPoint();
-  if (WrenchSamples wrench = withoutSpikes(recording.wrench, spikes); spikes > 0) {
+  auto read = withoutZeros(recording.time, recording.wrench, zeros);
+  if (WrenchSamples wrench = withoutSpikes(read ? *read : recording.wrench, spikes); spikes > 0)
+    read = std::move(wrench);
+  if (read) {
     mended = recording;
-    mended->wrench = std::move(wrench);
+    mended->wrench = std::move(*read);
+    read.reset();
   }
   stopPoint();
   StampScatter scatter;
@@ -521,6 +525,15 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
   best->conventions = std::move(report);
   best->readAsSuggested = as.reading.has_value();
   saySilent(best->silent, cut, best->findings);
+  if (zeros > 0)
+    best->findings.push_back(
+        {Severity::info,
+         "zeros_replaced",
+         heft::say("{} rows are zero in every channel of the wrench, as where a source has no reading; they were "
+                   "replaced by their neighbours.",
+                   zeros),
+         {},
+         {}});
   if (spikes > 0)
     best->findings.push_back(
         {Severity::info,

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/parallel.h"
 #include "core/base/stop.h"
 #include "core/math/statistics.h"
+#include "core/recording/frozen.h"
 
 namespace heft {
 
@@ -197,6 +199,37 @@ std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, const
 }
 
 }  // namespace
+
+std::optional<WrenchSamples> withoutZeros(const Eigen::VectorXd& time, const WrenchSamples& wrench,
+                                          Eigen::Index& replaced) {
+  constexpr double kLongest = 0.02;  // [s] A block of the estimate
+  const auto isZero = [&](Eigen::Index row) { return wrench(row, 0) == 0.0 && wrench.row(row).isZero(0.0); };
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> runs;
+  Eigen::Index zeros = 0;
+  for (Eigen::Index from = 0; from < wrench.rows();) {
+    auto to = from;
+    while (to < wrench.rows() && isZero(to)) ++to;
+    zeros += to - from;
+    if (to > from && from > 0 && to < wrench.rows() && time(to) - time(from - 1) < kLongest)
+      runs.emplace_back(from, to);
+    from = to + 1;
+  }
+  if (runs.empty() || 2 * zeros > wrench.rows()) return std::nullopt;
+  const Changes changes = changesOf(wrench);
+  std::erase_if(runs, [&](const auto& run) {
+    return changes[static_cast<std::size_t>(run.first)] != 2 || changes[static_cast<std::size_t>(run.second)] != 2;
+  });
+  if (runs.empty()) return std::nullopt;
+  WrenchSamples out = wrench;
+  for (const auto& [from, to] : runs) {
+    replaced += to - from;
+    for (Eigen::Index k = from; k < to; ++k) {
+      const double share = (time(k) - time(from - 1)) / (time(to) - time(from - 1));
+      out.row(k) = (1.0 - share) * wrench.row(from - 1) + share * wrench.row(to);
+    }
+  }
+  return out;
+}
 
 WrenchSamples withoutSpikes(const WrenchSamples& wrench, Eigen::Index& replaced) {
   constexpr Eigen::Index kPart = 500;  // Rows: half a second or so, in which noise may be louder than elsewhere

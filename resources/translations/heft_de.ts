@@ -9880,6 +9880,10 @@ Rauschen %3</translation>
         <source>The readings are those from {:.2f} s on once more: they were logged twice.</source>
         <translation>Die Messwerte sind noch einmal die ab {:.2f} s: Sie wurden doppelt aufgezeichnet.</translation>
     </message>
+    <message>
+        <source>{} rows are zero in every channel of the wrench, as where a source has no reading; they were replaced by their neighbours.</source>
+        <translation>{} Zeilen sind in allen Kanälen von Kraft und Drehmoment null, wie wenn eine Quelle keinen Messwert hat; sie wurden durch ihre Nachbarn ersetzt.</translation>
+    </message>
 </context>
 <context>
     <name>heft::CarriedObjects</name>

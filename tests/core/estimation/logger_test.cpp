@@ -4,6 +4,7 @@
 #include <random>
 
 #include "core/estimation/estimate.h"
+#include "core/estimation/spikes.h"
 #include "core/estimation/uncertainty.h"
 #include "core/recording/held.h"
 #include "core/recording/steps.h"
@@ -114,6 +115,29 @@ TEST(Loggers, HeldReadingsAreJudgedAtTheirMoments) {
       EXPECT_LT(report->forceRms, 0.3) << rows;  // [N]
       EXPECT_NEAR(report->payload.mass, simulated.truth.payload.mass, 0.02 * simulated.truth.payload.mass) << rows;
     }
+  }
+}
+
+TEST(Loggers, RowsOfZerosAreNoReadings) {
+  for (std::uint64_t seed = 41; seed <= 44; ++seed) {
+    Simulated simulated = demonstration(seed, 8.0);
+    Recording& recording = simulated.recording;
+    std::mt19937 random(static_cast<unsigned>(seed));
+    for (Eigen::Index k = 0; k < recording.rows(); ++k)
+      if (random() % 20 == 0) recording.wrench.row(k).setZero();
+    const auto report = estimate(recording, &RobotModel::panda(), {});
+    ASSERT_TRUE(report.ok()) << report.error().message;
+    EXPECT_TRUE(said(*report, "zeros_replaced"));
+    EXPECT_LT(report->heldoutForceRms, 0.15) << seed;  // [N]
+    int ignored = 0;
+    EXPECT_EQ(beyond(*report, simulated.truth.payload, 4.5, ignored), 0) << seed;
+    // A coarse channel that passes zero was measured.
+    for (Eigen::Index c = 0; c < 6; ++c)
+      recording.wrench.col(c) = (recording.wrench.col(c) / (c < 3 ? 5.0 : 1.0)).array().round() * (c < 3 ? 5.0 : 1.0);
+    Eigen::Index none = 0;
+    recording.wrench = recording.wrench.cwiseMin(5.0).cwiseMax(-5.0).eval();
+    recording.wrench.rightCols<3>() = recording.wrench.rightCols<3>().cwiseMin(1.0).cwiseMax(-1.0).eval();
+    EXPECT_FALSE(withoutZeros(recording.time, recording.wrench, none));
   }
 }
 
