@@ -9874,6 +9874,13 @@ Rauschen %3</translation>
     </message>
 </context>
 <context>
+    <name>heft::Autosave</name>
+    <message>
+        <source>%1 cannot be locked.</source>
+        <translation>%1 kann nicht gesperrt werden.</translation>
+    </message>
+</context>
+<context>
     <name>heft::CarriedObjects</name>
     <message>
         <source>Open the recording with the object first.</source>
@@ -12828,6 +12835,14 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Open the recording</source>
         <translation>Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>An older session was restored, saved on %1.</source>
+        <translation>Eine ältere Sitzung wurde wiederhergestellt, gespeichert am %1.</translation>
+    </message>
+    <message>
+        <source>A newer one could not be read; it is now %1. %2</source>
+        <translation>Eine neuere konnte nicht gelesen werden; sie ist jetzt %1. %2</translation>
     </message>
 </context>
 <context>

@@ -123,6 +123,12 @@ void MessageBar::close(QWidget* row) {
   if (std::all_of(messages_.begin(), messages_.end(), [](const Message& each) { return each.floats; })) hide();
 }
 
+void MessageBar::withdraw(const QString& text) {
+  const auto messages = messages_;
+  for (const Message& message : messages)
+    if (message.text == text) close(message.row);
+}
+
 void MessageBar::clear() {
   const auto messages = messages_;
   for (const Message& message : messages) close(message.row);
