@@ -6,6 +6,7 @@
 #include "core/segmentation/blocks.h"
 #include "core/segmentation/payload_change.h"
 #include "core/segmentation/sensor_trouble.h"
+#include "core/segmentation/user_marks.h"
 
 namespace heft {
 
@@ -270,11 +271,25 @@ void labelAllowing(const WrenchRows& rows, const Vector6d& allowed, const std::o
   chooseParts(rows, windows, parts, ranges, static_cast<std::size_t>(reference - parts.begin()), blocks, findings);
 }
 
+/// "1.20 to 1.35 s and 2.00 to 2.10 s"; of many, the first.
+std::string listed(const std::vector<Trouble>& stretches) {
+  constexpr std::size_t kListed = 3;
+  std::vector<std::string> where;
+  double lasts = 0.0;
+  for (const auto& stretch : stretches) {
+    lasts += stretch.to - stretch.from;
+    if (where.size() < kListed) where.push_back(heft::say("{:.2f} to {:.2f} s", stretch.from, stretch.to));
+  }
+  if (stretches.size() <= kListed) return joined(where);
+  const std::size_t more = stretches.size() - kListed;
+  return more == 1 ? heft::say("{} and {} more segment, {:.2g} s in total", joined(where), more, lasts)
+                   : heft::say("{} and {} more segments, {:.2g} s in total", joined(where), more, lasts);
+}
+
 }  // namespace
 
-void markTrouble(const std::vector<Trouble>& troubles, const WrenchRows& rows, SegmentBlocks& blocks,
-                 Findings& findings) {
-  constexpr std::size_t kListed = 3;
+void markTrouble(const std::vector<Trouble>& troubles, const Recording& recording, const WrenchRows& rows,
+                 SegmentBlocks& blocks, Findings& findings) {
   const double half = 0.5 / rows.rateHz;
   std::vector<std::pair<std::string, std::vector<Trouble>>> byReason;
   for (const auto& trouble : troubles) {
@@ -285,24 +300,36 @@ void markTrouble(const std::vector<Trouble>& troubles, const WrenchRows& rows, S
   }
   for (const auto& [reason, stretches] : byReason) {
     const int note = blocks.addReason(reason);
-    std::vector<std::string> where;
-    double lasts = 0.0;
+    std::vector<Trouble> excluded, used;
     for (const auto& trouble : stretches) {
+      const std::vector<Trouble>* last = nullptr;
       const auto first =
           static_cast<Eigen::Index>(std::floor((trouble.from - half - rows.startTime) * rows.rateHz)) + 1;
-      for (Eigen::Index k = std::max<Eigen::Index>(0, first); k < rows.size() && rows.time(k) - half < trouble.to; ++k)
+      for (Eigen::Index k = std::max<Eigen::Index>(0, first); k < rows.size() && rows.time(k) - half < trouble.to;
+           ++k) {
         blocks.set(k, MarkLabel::ignore, SegmentKind::sensorTrouble, note);
-      lasts += trouble.to - trouble.from;
-      if (where.size() < kListed) where.push_back(heft::say("{:.2f} to {:.2f} s", trouble.from, trouble.to));
+        auto& part = markedAt(recording, rows.time(k)) == MarkLabel::free ? used : excluded;
+        if (last == &part) {
+          part.back().to = std::min(trouble.to, rows.time(k) + half);
+          continue;
+        }
+        part.push_back({std::max(trouble.from, rows.time(k) - half), std::min(trouble.to, rows.time(k) + half), {}});
+        last = &part;
+      }
+      if (!last) excluded.push_back(trouble);
     }
-    const std::string all = stretches.size() > kListed ? heft::say("{} and {} more segments, {:.2g} s in total",
-                                                                   joined(where), stretches.size() - kListed, lasts)
-                                                       : joined(where);
-    findings.push_back({Severity::warning,
-                        "sensor_trouble",
-                        heft::say("{}: {}", all, reason),
-                        heft::say("It is excluded; mark it as free to use it."),
-                        {}});
+    if (!excluded.empty())
+      findings.push_back({Severity::warning,
+                          "sensor_trouble",
+                          heft::say("{}: {}", listed(excluded), reason),
+                          heft::say("It is excluded; mark it as free to use it."),
+                          {}});
+    if (!used.empty())
+      findings.push_back({Severity::info,
+                          "sensor_trouble",
+                          heft::say("{}: {}", listed(used), reason),
+                          heft::say("It is used, since it is marked as free."),
+                          {}});
   }
 }
 
