@@ -104,15 +104,15 @@ void list(const ConvertArguments& options) {
   }
   const Meaning meaning = contents.missing.empty() ? meaningOf(options) : Meaning{};
   if (!options.json.empty())
-    writeOutput(options.json,
-                fileText({{"schema", "heft.contents/1"},
-                          {"file", options.input},
-                          {"kind", toString(contents.kind)},
-                          {"streams", std::move(streams)},
-                          {"missing", contents.missing.empty() ? json(nullptr) : json(contents.missing)},
-                          {"conventions", meaning.conventions},
-                          {"findings", toJson(contents.findings)}}),
-                {options.force, [](const std::string& old) { return hasSchema(old, "heft.contents/1"); }});
+    writeResult(options.json,
+                {{"schema", "heft.contents/1"},
+                 {"file", options.input},
+                 {"kind", toString(contents.kind)},
+                 {"streams", std::move(streams)},
+                 {"missing", contents.missing.empty() ? json(nullptr) : json(contents.missing)},
+                 {"conventions", meaning.conventions},
+                 {"findings", toJson(contents.findings)}},
+                {options.force, [](const std::string& old) { return asWritten(old, "heft.contents/1"); }});
   if (options.json == "-") return;
   if (!contents.missing.empty()) text += fmt::format("\n{}\n", contents.missing);
   print(text + meaning.text);
@@ -154,8 +154,8 @@ void run(const ConvertArguments& options) {
                        {"rate_hz", recording.rateHz()},        {"duration_s", recording.duration()},
                        {"motion", motionForm(recording)},      {"wrench_sign_changed", flipped},
                        {"conventions_taken_out", conventions}, {"findings", toJson(read.findings)}};
-    writeOutput(options.json, fileText(summary),
-                {options.force, [](const std::string& old) { return hasSchema(old, "heft.convert/1"); }});
+    writeResult(options.json, summary,
+                {options.force, [](const std::string& old) { return asWritten(old, "heft.convert/1"); }});
   }
   if (options.json == "-") return;
   std::string text = fmt::format("{} and {}: {} samples, {:.1f} s at {:.0f} Hz, {}\n", displayName(csv),

@@ -361,7 +361,7 @@ void run(const LiveArguments& options) {
   settings.conventions = conventionChoice(options.conventions);
   if (!options.record.empty() && std::filesystem::path(options.record).extension() != ".csv")
     throw WrongUsage(fmt::format("--record expects a name that ends in .csv, not '{}'.", printable(options.record)));
-  const Overwrite overwrite{options.force, [](const std::string& old) { return hasSchema(old, "heft.estimate/1"); }};
+  const Overwrite overwrite{options.force, [](const std::string& old) { return asWritten(old, "heft.estimate/1"); }};
   if (!options.json.empty()) requireWritable(options.json, overwrite);
 
   LiveRun live(options, settings);
@@ -381,7 +381,7 @@ void run(const LiveArguments& options) {
   const EstimateReport report = live.report();
   json result = heft::toJson(report);
   result["live"] = statusJson(status);
-  if (!options.json.empty()) attempt([&] { writeOutput(options.json, fileText(result), overwrite); });
+  if (!options.json.empty()) attempt([&] { writeResult(options.json, result, overwrite); });
   if (options.json != "-") attempt([&] { print(toText(report)); });
   if (const auto trouble = troubleLine(status); !trouble.empty()) tell(fmt::format("heft:{}\n", trouble));
   if (!problem.empty()) throw Failed(problem);

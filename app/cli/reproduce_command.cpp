@@ -19,7 +19,7 @@ struct ReproduceArguments {
 
 bool wasReproduced(const std::string& old) {
   return old.starts_with("heft reproduce") || old.starts_with("# heft reproduce") ||
-         old.starts_with("table,estimated,quantity,") || hasSchema(old, "heft.reproduce/1") ||
+         old.starts_with("table,estimated,quantity,") || asWritten(old, "heft.reproduce/1") ||
          old.find("<!-- heft reproduce -->") < 100;
 }
 
@@ -46,7 +46,7 @@ void run(ReproduceArguments options) {
   ProgressLine line;
   const Reproduction all = orFail(reproducePaper(options.reproduce, line.progress()));
   line.clear();
-  if (!options.json.empty()) writeOutput(options.json, fileText(toJson(all)), overwrite);
+  if (!options.json.empty()) writeResult(options.json, toJson(all), overwrite);
   if (!options.output.empty())
     writeOutput(options.output, format == 0 ? toText(all) : format == 1 ? toCsv(all) : toMarkdown(all), overwrite);
   if (!options.plots.empty())
