@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/base/say.h"
+#include "core/base/time_span.h"
 #include "core/math/statistics.h"
 #include "core/segmentation/blocks.h"
 #include "core/segmentation/payload_change.h"
@@ -122,7 +123,7 @@ void chooseParts(const WrenchRows& rows, const FitWindows& windows, const std::v
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const double from = rows.time(ranges[p].from), to = rows.time(ranges[p].to - 1);
     if (steps[p].same) {
-      used.push_back(heft::say("{:.1f} to {:.1f} s", from, to));
+      used.push_back(timeSpan(from, to));
     } else {
       const int note = blocks.addReason(
           !steps[p].payload ? heft::say("Free, but with a different sensor bias or payload.")

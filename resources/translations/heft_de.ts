@@ -8069,10 +8069,6 @@ Rauschen %3</translation>
         <translation>Wo das Werkzeug war, ist nicht bekannt: Gelenkwinkel oder Posen mit Positionen werden gebraucht.</translation>
     </message>
     <message>
-        <source>The contact from {:.1f} to {:.1f} s gives no plane: {}.</source>
-        <translation>Der Kontakt von {:.1f} bis {:.1f} s ergibt keine Ebene: {}.</translation>
-    </message>
-    <message>
         <source>Press the tool against the wall or table and hold it for a second.</source>
         <translation>Drücken Sie das Werkzeug gegen die Wand oder den Tisch und halten Sie es eine Sekunde lang.</translation>
     </message>
@@ -9871,6 +9867,66 @@ Rauschen %3</translation>
     <message>
         <source>Copy it again from where it was recorded, or save it again there.</source>
         <translation>Kopieren Sie sie noch einmal von dort, wo sie aufgezeichnet wurde, oder speichern Sie sie dort neu.</translation>
+    </message>
+    <message>
+        <source>The database unpacks to more than {} MB; the rest was not read.</source>
+        <translation>Die Datenbank entpackt sich auf mehr als {} MB; der Rest wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>{} and {} more segment, {:.2g} s in total</source>
+        <translation>{} und {} weitere Strecke, zusammen {:.2g} s</translation>
+    </message>
+    <message>
+        <source>It is used, since it is marked as free.</source>
+        <translation>Die Strecke wird verwendet, da sie als frei markiert ist.</translation>
+    </message>
+    <message>
+        <source>The contact from {} gives no plane: {}.</source>
+        <translation>Der Kontakt von {} ergibt keine Ebene: {}.</translation>
+    </message>
+    <message>
+        <source>One chunk of the file is damaged; what could be unpacked was read.</source>
+        <translation>Ein Block der Datei ist beschädigt; gelesen wurde, was sich auspacken ließ.</translation>
+    </message>
+    <message>
+        <source>One chunk of the bag is damaged; what could be unpacked was read.</source>
+        <translation>Ein Block des Bags ist beschädigt; was sich entpacken ließ, wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>The data had one gap.</source>
+        <translation>Die Daten hatten eine Lücke.</translation>
+    </message>
+    <message>
+        <source>One sample was not usable: not finite, without motion, or with a time that does not increase.</source>
+        <translation>Eine Messung war nicht brauchbar: nicht endlich, ohne Bewegung, oder mit einer Zeit, die nicht steigt.</translation>
+    </message>
+    <message>
+        <source>One quaternion is not of length 1, by {:.2g}; it was normalised.</source>
+        <translation>Ein Quaternion hat nicht die Länge 1, um {:.2g} daneben; es wurde normiert.</translation>
+    </message>
+    <message>
+        <source>Samples were lost there; gaps of more than {:.0f} ms are left out.</source>
+        <translation>Dort gingen Messwerte verloren; Lücken von mehr als {:.0f} ms werden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{} is no object</source>
+        <translation>{} ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>{} is no list</source>
+        <translation>{} ist keine Liste</translation>
+    </message>
+    <message>
+        <source>{} is no text</source>
+        <translation>{} ist kein Text</translation>
+    </message>
+    <message>
+        <source>{} is missing</source>
+        <translation>{} fehlt</translation>
+    </message>
+    <message>
+        <source>{}: {}; make it again with heft diagnose REC --json FILE.</source>
+        <translation>{}: {}; machen Sie die Datei neu mit heft diagnose REC --json DATEI.</translation>
     </message>
 </context>
 <context>
