@@ -57,6 +57,11 @@ TEST_F(TwinCommandTest, WritesTheRigForOtherSimulators) {
     EXPECT_NEAR(rig["sensor_mount"]["xyz_m"][axis].get<double>() + rig["sensor_as_found"]["xyz_m"][axis].get<double>(),
                 found["meta_changes"]["sensor"]["mount"]["xyz_m"][axis].get<double>(), 1e-9);
   EXPECT_EQ(heft({"export-model", "found.json", "--for", "json", "-o", "rig.json"}).exitCode, 0) << "its own file";
+  auto edited = rig;
+  edited["remark"] = "mine";
+  write("rig.json", edited.dump(2));
+  EXPECT_TRUE(
+      failedWithOneSentence(heft({"export-model", "found.json", "--for", "json", "-o", "rig.json"}), "--force"));
   const Outcome off = heft({"export-model", "found.json", "--for", "json", "--without", "lever_arm"});
   EXPECT_THAT(off.out, HasSubstr("\"causes\": []"));
   for (const char* target : {"mujoco", "gazebo"})
