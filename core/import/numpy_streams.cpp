@@ -330,13 +330,14 @@ Result<StreamSet> readNumpyStreams(const std::filesystem::path& path, const Fiel
   const auto note = [&](const char* code, std::string text) {
     set.findings.push_back({Severity::warning, code, std::move(text), {}, {set.file, 0, 0}});
   };
-  const auto add = [&](std::string content, const std::string& name, bool alone) {
+  const auto add = [&](std::string content, const std::string& name, bool alone, bool toItsEnd = true) {
     NpyArray npy{std::move(content), {}, {}, false};
     std::string why;
     auto array = describeNpy(npy, name, alone, why);
     if (!array && !why.empty() && odd.size() < 5) odd.push_back(fmt::format("{} ({})", printable(name, 100), why));
     if (!array) return;
-    if (npy.cut) note("dataset_damaged", heft::say("The dataset /{} is damaged or cut off.", printable(array->path)));
+    if (npy.cut && toItsEnd)
+      note("dataset_damaged", heft::say("The dataset /{} is damaged or cut off.", printable(array->path)));
     arrays.push_back(std::move(npy));
     described.push_back(std::move(*array));
   };
@@ -350,7 +351,7 @@ Result<StreamSet> readNumpyStreams(const std::filesystem::path& path, const Fiel
       if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
       const bool all = budget.spend(content.bytes.size());
       if (!all) note("file_too_large", budgetText(bytes->size()));
-      add(std::move(content.bytes), member.name.substr(0, member.name.size() - 4), false);
+      add(std::move(content.bytes), member.name.substr(0, member.name.size() - 4), false, all);
       if (!all) break;
     }
   }
