@@ -167,17 +167,17 @@ void markStanding(const WrenchRows& rows, SegmentBlocks& blocks) {
   std::vector<char> still(at(rows.size()), 0);
   // Column 0 of the regressor is the specific force; the trace of the next three columns' upper block is -2 |omega|^2.
   const auto force = [&](Eigen::Index k) { return Vector3d(rows.Y[at(k)].block<3, 1>(0, 0)); };
-  const Eigen::Index stride = std::max<Eigen::Index>(1, window / 4);
+  const Eigen::Index half = window / 2, stride = std::max<Eigen::Index>(1, window / 4);
   for (Eigen::Index next = 0; next < rows.size() - window + stride; next += stride) {
     const Eigen::Index from = std::min(next, rows.size() - window);
     Vector3d first = Vector3d::Zero(), second = Vector3d::Zero();
     double turning = 0.0;
     for (Eigen::Index k = from; k < from + window; ++k) {
-      (k < from + window / 2 ? first : second) += force(k);
+      (k < from + half ? first : second) += force(k);
       turning += std::max(0.0, -0.5 * rows.Y[at(k)].block<3, 3>(0, 1).trace());
     }
-    first /= static_cast<double>(window / 2);
-    second /= static_cast<double>(window - window / 2);
+    first /= static_cast<double>(half);
+    second /= static_cast<double>(window - half);
     const double omega = std::sqrt(turning / static_cast<double>(window));
     if ((second - first).norm() < 0.15 && omega < 0.08)
       std::fill(still.begin() + from, still.begin() + from + window, char{1});
