@@ -30,12 +30,13 @@ std::string otherMeta(const std::filesystem::path& file, const std::string& text
   return heft::say("{} already exists; a recording never overwrites a file. Choose another name.", displayName(file));
 }
 
-/// What is in the way of the setup file, or nothing once it is there.
+/// What is in the way of the setup file, or nothing once it is there. One that was written since the start is as good:
+/// the studio states the arm that the first sample tells.
 std::string provideMeta(const std::filesystem::path& file, const std::string& text) {
   std::error_code code;
-  if (std::filesystem::exists(file, code)) return otherMeta(file, text);
+  if (std::filesystem::exists(file, code)) return {};
   const auto written = createTextFile(file, text);
-  return written ? std::string() : written.error().message;
+  return written || std::filesystem::exists(file, code) ? std::string() : written.error().message;
 }
 
 }  // namespace
