@@ -40,7 +40,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
 void MessageBar::showMessage(Severity severity, const QString& text) { showMessage(severity, text, {}, {}); }
 
 void MessageBar::showMessage(Severity severity, const QString& text, const QString& action,
-                             std::function<void()> clicked) {
+                             const std::function<void()>& clicked) {
   const auto before = messages_;
   for (const Message& message : before)
     // The same message again, perhaps now with a button; or information already shown.
