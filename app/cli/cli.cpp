@@ -142,11 +142,31 @@ void writeOutput(const std::filesystem::path& path, std::string_view text, const
   if (auto written = writeTextFile(path, text); !written) throw Failed(written.error().message);
 }
 
-bool hasSchema(const std::string& text, std::string_view schema) {
+std::string checksum(std::string_view text) {  // FNV-1a, 64 bits
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return fmt::format("{:016x}", hash);
+}
+
+namespace {
+
+/// How long the work took is no part of it: the same result has the same checksum.
+std::string checksumOf(nlohmann::json result) {
+  for (const char* key : {"checksum", "timing_s"}) result.erase(key);
+  return checksum(dump(result));
+}
+
+}  // namespace
+
+void writeResult(const std::filesystem::path& path, nlohmann::json result, const Overwrite& overwrite) {
+  if (path != "-") result["checksum"] = checksumOf(result);
+  writeOutput(path, fileText(result), overwrite);
+}
+
+bool asWritten(const std::string& text, std::string_view schema) {
   const auto json = nlohmann::json::parse(text, nullptr, false);
-  if (!json.is_object()) return false;
-  const auto found = json.find("schema");
-  return found != json.end() && found->is_string() && found->get_ref<const std::string&>() == schema;
+  return json.is_object() && json.value("schema", nlohmann::json()) == nlohmann::json(schema) &&
+         json.value("checksum", nlohmann::json()) == nlohmann::json(checksumOf(json));
 }
 
 ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}

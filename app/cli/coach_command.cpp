@@ -58,7 +58,7 @@ std::string speedText(const LimitUse& use, double cap) {
 }
 
 Overwrite ownFiles(const CoachArguments& options, std::string_view schema) {
-  return {options.force, [schema](const std::string& old) { return hasSchema(old, schema); }};
+  return {options.force, [schema](const std::string& old) { return asWritten(old, schema); }};
 }
 
 void requirePaths(const CoachArguments& options, std::string_view schema) {
@@ -72,7 +72,7 @@ void writeResults(const CoachArguments& options, std::string_view schema, const 
                   const JointMotion* motion) {
   if (!options.output.empty() && motion)
     writeOutput(options.output, trajectoryCsv(*motion, options.rateHz), {options.force, {}});
-  if (!options.json.empty()) writeOutput(options.json, fileText(result), ownFiles(options, schema));
+  if (!options.json.empty()) writeResult(options.json, result, ownFiles(options, schema));
   if (options.json != "-" && options.output != "-") print(text);
 }
 

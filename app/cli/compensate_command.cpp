@@ -25,7 +25,7 @@ void run(const CompensateArguments& options) {
   if (options.output == "-" && options.json == "-")
     throw WrongUsage("The CSV and --json cannot both go to stdout; give -o FILE or --json FILE.");
   const Overwrite overwriteJson{options.force,
-                                [](const std::string& old) { return hasSchema(old, "heft.compensate/1"); }};
+                                [](const std::string& old) { return asWritten(old, "heft.compensate/1"); }};
   const Overwrite overwriteCsv{options.force, {}};
   if (!options.json.empty()) requireWritable(options.json, overwriteJson);
   if (!options.output.empty()) requireWritable(options.output, overwriteCsv);
@@ -44,7 +44,7 @@ void run(const CompensateArguments& options) {
   if (!options.json.empty()) {
     nlohmann::json result = toJson(compensated, input.recording);
     result["findings"] = toJson(compensated.findings);
-    writeOutput(options.json, fileText(result), overwriteJson);
+    writeResult(options.json, result, overwriteJson);
   }
   if (options.output == "-" || options.json == "-") return;
   print(toText(compensated, input.recording));

@@ -34,37 +34,33 @@ std::string motionForm(const Recording& recording) {
   return "orientation only";
 }
 
-/// What physics says that the numbers mean, where motion and wrench are there; else null.
-struct Meaning {
-  json conventions;
-  std::string text;
-};
-Meaning meaningOf(const ConvertArguments& options) {
-  Meaning out;
+/// What physics says that the numbers mean, where motion and wrench are there; else null. `text`: the same for a
+/// person.
+json conventionsOf(const ConvertArguments& options, std::string& text) {
   std::optional<Input> input;
   try {
     ProgressLine line;
     input = readInput(options.input, options.import, {}, line.progress());
   } catch (const Failed&) {
-    return out;  // Cannot be read as a whole: converting or estimating it says why.
+    return nullptr;  // Cannot be read as a whole: converting or estimating it says why.
   }
   const Recording& recording = input->recording;
   const auto motion = recording.meta.kind == RecordingKind::poses ? standingPoses(recording, input->model())
                                                                   : motionOf(recording, input->model(), {});
-  if (!motion) return out;
+  if (!motion) return nullptr;
   const auto question = conventions::questionOf(recording, *motion);
   const conventions::Report report = conventions::check(question);
-  out.conventions = toJson(report, recording.meta.mount, !question.posesInFile);
+  json out = toJson(report, recording.meta.mount, !question.posesInFile);
   if (!report.enough) {
-    out.text = "\nToo few numbers to tell what they mean.\n";
+    text = "\nToo few numbers to tell what they mean.\n";
     return out;
   }
-  out.text = fmt::format("\n{}\n", report.sentence);
-  for (const auto& tie : report.ties) out.text += fmt::format("  fits equally well: {}\n", tie.sentence);
-  if (!report.decides.empty()) out.text += fmt::format("  {}\n", report.decides);
-  if (const json& meta = out.conventions["meta"]; !meta.is_null())
-    out.text += fmt::format("  Write into the setup file: {}\n", meta.dump());
-  if (!report.check.empty()) out.text += fmt::format("  {}\n", report.check);
+  text = fmt::format("\n{}\n", report.sentence);
+  for (const auto& tie : report.ties) text += fmt::format("  fits equally well: {}\n", tie.sentence);
+  if (!report.decides.empty()) text += fmt::format("  {}\n", report.decides);
+  if (const json& meta = out["meta"]; !meta.is_null())
+    text += fmt::format("  Write into the setup file: {}\n", meta.dump());
+  if (!report.check.empty()) text += fmt::format("  {}\n", report.check);
   return out;
 }
 
@@ -102,20 +98,21 @@ void list(const ConvertArguments& options) {
                        {"rate_hz", stream.rateHz()},
                        {"fields", std::move(fields)}});
   }
-  const Meaning meaning = contents.missing.empty() ? meaningOf(options) : Meaning{};
+  std::string meaning;
+  const json conventions = contents.missing.empty() ? conventionsOf(options, meaning) : json();
   if (!options.json.empty())
-    writeOutput(options.json,
-                fileText({{"schema", "heft.contents/1"},
-                          {"file", options.input},
-                          {"kind", toString(contents.kind)},
-                          {"streams", std::move(streams)},
-                          {"missing", contents.missing.empty() ? json(nullptr) : json(contents.missing)},
-                          {"conventions", meaning.conventions},
-                          {"findings", toJson(contents.findings)}}),
-                {options.force, [](const std::string& old) { return hasSchema(old, "heft.contents/1"); }});
+    writeResult(options.json,
+                {{"schema", "heft.contents/1"},
+                 {"file", options.input},
+                 {"kind", toString(contents.kind)},
+                 {"streams", std::move(streams)},
+                 {"missing", contents.missing.empty() ? json(nullptr) : json(contents.missing)},
+                 {"conventions", conventions},
+                 {"findings", toJson(contents.findings)}},
+                {options.force, [](const std::string& old) { return asWritten(old, "heft.contents/1"); }});
   if (options.json == "-") return;
   if (!contents.missing.empty()) text += fmt::format("\n{}\n", contents.missing);
-  print(text + meaning.text);
+  print(text + meaning);
   printFindings(contents.findings, true);
 }
 
@@ -154,8 +151,8 @@ void run(const ConvertArguments& options) {
                        {"rate_hz", recording.rateHz()},        {"duration_s", recording.duration()},
                        {"motion", motionForm(recording)},      {"wrench_sign_changed", flipped},
                        {"conventions_taken_out", conventions}, {"findings", toJson(read.findings)}};
-    writeOutput(options.json, fileText(summary),
-                {options.force, [](const std::string& old) { return hasSchema(old, "heft.convert/1"); }});
+    writeResult(options.json, summary,
+                {options.force, [](const std::string& old) { return asWritten(old, "heft.convert/1"); }});
   }
   if (options.json == "-") return;
   std::string text = fmt::format("{} and {}: {} samples, {:.1f} s at {:.0f} Hz, {}\n", displayName(csv),

@@ -56,10 +56,10 @@ void run(const DiagnoseArguments& options) {
   }
   settings.segments = segmentChoice(options.segments);
   const Overwrite overwriteResult{options.force,
-                                  [](const std::string& old) { return hasSchema(old, "heft.diagnose/1"); }};
+                                  [](const std::string& old) { return asWritten(old, "heft.diagnose/1"); }};
   if (!options.json.empty()) requireWritable(options.json, overwriteResult);
   const Overwrite overwriteEstimate{options.force,
-                                    [](const std::string& old) { return hasSchema(old, "heft.estimate/1"); }};
+                                    [](const std::string& old) { return asWritten(old, "heft.estimate/1"); }};
   if (!options.result.empty()) requireWritable(options.result, overwriteEstimate);
   for (const auto& file : {options.report, options.correctedMeta})
     if (!file.empty()) requireWritable(file, {options.force, {}});
@@ -79,14 +79,14 @@ void run(const DiagnoseArguments& options) {
   if (!options.json.empty()) {
     nlohmann::json result = toJson(report);
     if (options.timing) result["timing_s"]["stages"] = times.toJson();
-    writeOutput(options.json, fileText(result), overwriteResult);
+    writeResult(options.json, result, overwriteResult);
   }
   if (!options.report.empty()) {
     const auto witnesses = diagnosis::witnesses(input.recording, input.model());
     writeOutput(options.report, toHtml(report, witnesses ? *witnesses : std::vector<diagnosis::Witness>{}),
                 {options.force, {}});
   }
-  if (!options.result.empty()) writeOutput(options.result, fileText(toJson(report.after)), overwriteEstimate);
+  if (!options.result.empty()) writeResult(options.result, toJson(report.after), overwriteEstimate);
   // All files before the text: whoever reads only its first lines still gets them.
   const nlohmann::json changes = report.metaChanges();
   if (!options.correctedMeta.empty() && !changes.empty()) {

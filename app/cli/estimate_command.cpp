@@ -180,7 +180,7 @@ void run(const EstimateArguments& options) {
     requireWritable(options.output, {options.force, {}});
   }
   const Overwrite overwriteResult{options.force,
-                                  [](const std::string& old) { return hasSchema(old, "heft.estimate/1"); }};
+                                  [](const std::string& old) { return asWritten(old, "heft.estimate/1"); }};
   if (!options.json.empty()) requireWritable(options.json, overwriteResult);
 
   ProgressLine line;
@@ -188,7 +188,7 @@ void run(const EstimateArguments& options) {
   line.clear();
   nlohmann::json result = joint ? toJson(*joint) : toJson(report);
   if (options.compare) result["comparison"] = toJson(comparison);
-  if (!options.json.empty()) writeOutput(options.json, fileText(result), overwriteResult);
+  if (!options.json.empty()) writeResult(options.json, result, overwriteResult);
   if (options.json != "-") print(joint ? toText(*joint) : options.compare ? toText(comparison) : toText(report));
   if (options.compare) printFindings(report.findings, false);  // the table has no room for them
   if (format) {

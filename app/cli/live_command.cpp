@@ -134,7 +134,8 @@ std::string troubleLine(const SessionStatus& status) {
     std::string part;
     for (const auto& [count, word] :
          {std::pair{source.lost, "lost"}, std::pair{source.reordered, "late"}, std::pair{source.malformed, "malformed"},
-          std::pair{source.flagged, "flagged"}, std::pair{source.disconnects, "disconnects"}})
+          std::pair{source.flagged, "flagged"},
+          std::pair{source.disconnects, source.disconnects == 1 ? "disconnect" : "disconnects"}})
       if (count > 0) part += fmt::format("{}{} {}", part.empty() ? "" : ", ", count, word);
     if (!part.empty()) text += fmt::format("  [{}: {}]", source.name, part);
     if (source.state != LinkState::live && source.state != LinkState::finished && !source.text.empty())
@@ -265,8 +266,13 @@ class LiveRun {
     session_.endRecording();
   }
 
-  /// What went wrong beside the estimate, or nothing.
-  std::string problem() const { return recordingProblem_.empty() ? sourceProblem_ : recordingProblem_; }
+  /// What went wrong beside the estimate.
+  std::vector<std::string> problems() const {
+    std::vector<std::string> all;
+    for (const auto& problem : {recordingProblem_, sourceProblem_})
+      if (!problem.empty()) all.push_back(problem);
+    return all;
+  }
 
   EstimateReport report() {
     if (kept_.empty()) {
@@ -361,30 +367,35 @@ void run(const LiveArguments& options) {
   settings.conventions = conventionChoice(options.conventions);
   if (!options.record.empty() && std::filesystem::path(options.record).extension() != ".csv")
     throw WrongUsage(fmt::format("--record expects a name that ends in .csv, not '{}'.", printable(options.record)));
-  const Overwrite overwrite{options.force, [](const std::string& old) { return hasSchema(old, "heft.estimate/1"); }};
+  const Overwrite overwrite{options.force, [](const std::string& old) { return asWritten(old, "heft.estimate/1"); }};
   if (!options.json.empty()) requireWritable(options.json, overwrite);
 
   LiveRun live(options, settings);
   live.run();
   const auto& status = live.status();
   // What cannot be written may still be printed, and the other way round: the terminal may be gone, the disk full.
-  std::string problem = live.problem();
-  const auto attempt = [&problem](const auto& output) {
+  std::vector<std::string> problems = live.problems();
+  const auto attempt = [&problems](const auto& output) {
     try {
       output();
     } catch (const Failed& failure) {
-      if (problem.empty()) problem = failure.what();
+      if (std::ranges::find(problems, failure.what()) == problems.end()) problems.emplace_back(failure.what());
     }
   };
   if (!options.record.empty() && options.json != "-" && status.recordingProblem.empty() && status.recorded > 0)
     attempt([&] { print(fmt::format("{}: {} samples\n", options.record, status.recorded)); });
-  const EstimateReport report = live.report();
-  json result = heft::toJson(report);
-  result["live"] = statusJson(status);
-  if (!options.json.empty()) attempt([&] { writeOutput(options.json, fileText(result), overwrite); });
-  if (options.json != "-") attempt([&] { print(toText(report)); });
-  if (const auto trouble = troubleLine(status); !trouble.empty()) tell(fmt::format("heft:{}\n", trouble));
-  if (!problem.empty()) throw Failed(problem);
+  std::optional<EstimateReport> report;
+  attempt([&] { report = live.report(); });
+  if (report) {
+    json result = heft::toJson(*report);
+    result["live"] = statusJson(status);
+    if (!options.json.empty()) attempt([&] { writeResult(options.json, result, overwrite); });
+    if (options.json != "-") attempt([&] { print(toText(*report)); });
+    if (const auto trouble = troubleLine(status); !trouble.empty()) tell(fmt::format("heft:{}\n", trouble));
+  }
+  if (problems.empty()) return;
+  for (std::size_t k = 0; k + 1 < problems.size(); ++k) tell(fmt::format("heft: {}\n", problems[k]));
+  throw Failed(problems.back());
 }
 
 }  // namespace

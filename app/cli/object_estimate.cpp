@@ -21,7 +21,7 @@ void estimateObject(const ObjectFiles& files, const ImportOptions& import, const
         "--shape, --mass and --cad describe one body; with --minus and --picked-up there are two: leave them away.");
   if (!settings.known.empty())
     throw WrongUsage("--known describes one body; with --minus and --picked-up there are two: leave it away.");
-  const Overwrite overwrite{files.force, [](const std::string& old) { return hasSchema(old, "heft.estimate/1"); }};
+  const Overwrite overwrite{files.force, [](const std::string& old) { return asWritten(old, "heft.estimate/1"); }};
   if (!files.json.empty()) requireWritable(files.json, overwrite);
   ProgressLine line;
   const Input with = readInput(files.with, import, files.robot, line.progress());
@@ -32,7 +32,7 @@ void estimateObject(const ObjectFiles& files, const ImportOptions& import, const
                                         settings, {with.findings, without.findings}, line.progress()));
   }();
   line.clear();
-  if (!files.json.empty()) writeOutput(files.json, fileText(toJson(carried)), overwrite);
+  if (!files.json.empty()) writeResult(files.json, toJson(carried), overwrite);
   if (files.json != "-") print(toText(carried));
 }
 

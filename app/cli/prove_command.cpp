@@ -23,7 +23,7 @@ struct ProveArguments {
 void proveFiles(const ProveArguments& options) {
   EstimateOptions settings;
   settings.segments = segmentChoice(options.segments);
-  const Overwrite overwrite{options.force, [](const std::string& old) { return hasSchema(old, "heft.prove/1"); }};
+  const Overwrite overwrite{options.force, [](const std::string& old) { return asWritten(old, "heft.prove/1"); }};
   if (!options.json.empty()) requireWritable(options.json, overwrite);
   const auto payload = orFail(readJsonFile(options.payload));
   ProgressLine line;
@@ -31,7 +31,7 @@ void proveFiles(const ProveArguments& options) {
   const EnteredPayload entered = orFail(enteredPayloadFromJson(payload, options.payload, input.recording.meta.mount));
   const Proof proof = orFail(prove(entered, input.recording, input.model(), settings, input.findings, line.progress()));
   line.clear();
-  if (!options.json.empty()) writeOutput(options.json, fileText(toJson(proof)), overwrite);
+  if (!options.json.empty()) writeResult(options.json, toJson(proof), overwrite);
   if (options.json != "-") print(toText(proof));
   if (proof.verdict != ProofVerdict::pass) throw Failed("NOT YET: " + proof.reasons.front().text);
 }

@@ -17,22 +17,19 @@ struct ReproduceArguments {
   ReproductionOptions reproduce;
 };
 
-bool wasReproduced(const std::string& old) {
-  return old.starts_with("heft reproduce") || old.starts_with("# heft reproduce") ||
-         old.starts_with("table,estimated,quantity,") || hasSchema(old, "heft.reproduce/1") ||
-         old.find("<!-- heft reproduce -->") < 100;
-}
-
 void run(ReproduceArguments options) {
   const std::size_t format = chooseWord("--format", options.format, {"text", "csv", "markdown"});
   options.reproduce.seed = parseSeed(options.seed);
   requireRange("--recordings", options.reproduce.repeats, 1, 1000, "");
   const bool jsonOnly = options.json == "-";
   if (jsonOnly && options.output == "-") options.output.clear();
-  const Overwrite overwrite{options.force, wasReproduced};
+  const Overwrite overwriteJson{options.force,
+                                [](const std::string& old) { return asWritten(old, "heft.reproduce/1"); }};
+  // Whether somebody wrote into a text or a chart cannot be seen.
+  const Overwrite overwrite{options.force, {}};
   const std::filesystem::path folder = options.plots;
   if (!options.output.empty()) requireWritable(options.output, overwrite);
-  if (!options.json.empty()) requireWritable(options.json, overwrite);
+  if (!options.json.empty()) requireWritable(options.json, overwriteJson);
   if (!options.plots.empty()) {
     // Before the work, not after it.
     std::error_code ec;
@@ -46,7 +43,7 @@ void run(ReproduceArguments options) {
   ProgressLine line;
   const Reproduction all = orFail(reproducePaper(options.reproduce, line.progress()));
   line.clear();
-  if (!options.json.empty()) writeOutput(options.json, fileText(toJson(all)), overwrite);
+  if (!options.json.empty()) writeResult(options.json, toJson(all), overwriteJson);
   if (!options.output.empty())
     writeOutput(options.output, format == 0 ? toText(all) : format == 1 ? toCsv(all) : toMarkdown(all), overwrite);
   if (!options.plots.empty())

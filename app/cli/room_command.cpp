@@ -27,7 +27,7 @@ void writeTouched(const RoomArguments& options) {
   const auto tool = shapeChoice(options.shape, options.shapeFile);
   if (!tool) throw WrongUsage("Say by --shape or --shape-file what touched: a plane begins where the tool ends.");
   requireRange("--margin", options.margin, 0.0, 0.5, "m");
-  const Overwrite overwrite{options.force, [](const std::string& old) { return hasSchema(old, "heft.room/1"); }};
+  const Overwrite overwrite{options.force, [](const std::string& old) { return asWritten(old, "heft.room/1"); }};
   requireWritable(options.output, overwrite);
   ProgressLine line;
   const Input input = readInput(options.recording, options.import, options.robot, line.progress());
@@ -41,7 +41,7 @@ void writeTouched(const RoomArguments& options) {
                              options.result.empty() ? input.recording.file : options.result, *tool, line.progress()));
   line.clear();
   const Room room = roomOf(touched, options.margin);
-  writeOutput(options.output, fileText(heft::toJson(room)), overwrite);
+  writeResult(options.output, heft::toJson(room), overwrite);
   printFindings(touched.findings, true);
   if (options.output == "-") return;
   std::string text = fmt::format("{}: {} plane{} from {}\n", options.output, room.obstacles.size(),

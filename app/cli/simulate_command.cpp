@@ -52,10 +52,10 @@ json truthJson(const SimulationTruth& truth, const SimulateArguments& options) {
           {"effects", effects}};
 }
 
-/// The setup file as this command writes it, but for the note's motion, seed and rate; null if a person wrote or
-/// changed it, or if it belongs to a real recording.
+/// The setup file as this command writes it, but for the note's motion, seed, rate and checksum; null if a person wrote
+/// or changed it, or if it belongs to a real recording. Earlier versions wrote no checksum.
 json asSimulated(const std::string& text) {
-  static const std::regex note(std::string(kNote) + ": [a-z-]+, seed [0-9]+, [0-9.e+]+ Hz");
+  static const std::regex note(std::string(kNote) + ": [a-z-]+, seed [0-9]+, [0-9.e+]+ Hz(, CSV [0-9a-f]{16})?");
   json meta = json::parse(text, nullptr, false);
   if (!meta.is_object() || !meta.contains("note") || !meta["note"].is_string() ||
       !std::regex_match(meta["note"].get_ref<const std::string&>(), note))
@@ -64,16 +64,20 @@ json asSimulated(const std::string& text) {
   return meta;
 }
 
+/// The end of the note: by it, a CSV that somebody changed or put there is told from the one that was simulated.
+std::string csvNote(std::string_view csvText) { return ", CSV " + checksum(csvText); }
+
 /// Throws Failed unless both files are missing or as this command made them: it can make those again, but neither a
-/// recording of a real robot nor what a person wrote into the setup file.
+/// recording of a real robot nor what a person wrote into the CSV or the setup file.
 void requireExpendable(const std::filesystem::path& csv, const RecordingMeta& meta, bool force) {
   const auto metaFile = metaFileOf(csv);
   const json fresh = asSimulated(orFail(metaText(meta, metaFile)));
   const auto unchanged = [&](const std::string& text) { return asSimulated(text) == fresh; };
   requireWritable(metaFile, {force, unchanged});
-  requireWritable(csv, {force, [&](const std::string&) {
+  requireWritable(csv, {force, [&](const std::string& rows) {
                           const auto old = readTextFile(metaFile);
-                          return old && unchanged(*old);
+                          return old && unchanged(*old) &&
+                                 json::parse(*old)["note"].get_ref<const std::string&>().ends_with(csvNote(rows));
                         }});
 }
 
@@ -104,6 +108,10 @@ JointMotion motionIn(const Simulated& simulated, double rateHz) {
   const double step = static_cast<double>(stride) / rateHz;
   return {VectorXd::LinSpaced(rows, 0.0, step * static_cast<double>(rows - 1)), every(simulated.q), every(simulated.dq),
           every(simulated.ddq)};
+}
+
+Overwrite overwriteJson(bool force, const char* schema) {
+  return {force, [schema](const std::string& old) { return asWritten(old, schema); }};
 }
 
 using Simulation = std::function<Simulated(const SimulateOptions&, const Progress&, std::string& said)>;
@@ -207,8 +215,7 @@ void tell(const SimulateArguments& options, std::size_t motion, const Simulated&
                    {"rate_hz", options.simulate.rateHz},
                    {"duration_s", simulated.recording.duration()}}}};
     if (!options.truth.empty()) summary["truth"] = options.truth;
-    writeOutput(options.json, fileText(summary),
-                {options.force, [](const std::string& old) { return hasSchema(old, "heft.simulate/1"); }});
+    writeResult(options.json, summary, overwriteJson(options.force, "heft.simulate/1"));
   }
   if (options.json == "-") return;
   std::string text =
@@ -247,11 +254,15 @@ void run(SimulateArguments options) {
   simulated.recording.meta.note = fmt::format("{}: {}, seed {}, {} Hz", kNote, kMotionWords[motion],
                                               options.simulate.seed, options.simulate.rateHz);
   const std::filesystem::path csv = options.output;
+  const std::string rows = orFail(recordingText(simulated.recording));
+  simulated.recording.meta.note += csvNote(rows);
   requireExpendable(csv, simulated.recording.meta, options.force);
-  orFail(writeRecording(simulated.recording, csv));
-  if (!options.truth.empty())
-    writeOutput(options.truth, fileText(truthJson(simulated.truth, options)),
-                {options.force, [](const std::string& old) { return hasSchema(old, "heft.truth/1"); }});
+  const Overwrite overwriteTruth = overwriteJson(options.force, "heft.truth/1");
+  if (!options.truth.empty()) requireWritable(options.truth, overwriteTruth);
+  if (!options.json.empty()) requireWritable(options.json, overwriteJson(options.force, "heft.simulate/1"));
+  orFail(writeTextFile(csv, rows));
+  orFail(writeMeta(simulated.recording.meta, metaFileOf(csv)));
+  if (!options.truth.empty()) writeResult(options.truth, truthJson(simulated.truth, options), overwriteTruth);
   tell(options, motion, simulated, payload.mass, motionWords + causes);
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/base/say.h"
+#include "core/base/time_span.h"
 #include "core/collision/tool_outline.h"
 #include "core/math/statistics.h"
 #include "core/motion/motion.h"
@@ -169,8 +170,8 @@ Result<TouchedRoom> touchedRoom(const Recording& recording, const RobotModel* ro
     if (!plane) {
       out.findings.push_back({Severity::info,
                               "touch_without_plane",
-                              heft::say("The contact from {:.1f} to {:.1f} s gives no plane: {}.", segment.from,
-                                        segment.to, plane.error().message),
+                              heft::say("The contact from {} gives no plane: {}.", timeSpan(segment.from, segment.to),
+                                        plane.error().message),
                               heft::say("Press the tool against the wall or table and hold it for a second."),
                               {}});
       continue;

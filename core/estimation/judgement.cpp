@@ -7,6 +7,7 @@
 
 #include "core/base/remedy.h"
 #include "core/base/say.h"
+#include "core/base/time_span.h"
 #include "core/math/linear_algebra.h"
 #include "core/math/statistics.h"
 #include "core/recording/channels.h"
@@ -114,7 +115,7 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, const Unseen& 
     if (segment.label != MarkLabel::contact) continue;
     contact += segment.to - segment.from;
     if (++listed > 6) continue;
-    stretches.push_back(heft::say("{:.1f} to {:.1f} s", std::max(0.0, segment.from), segment.to));
+    stretches.push_back(timeSpan(std::max(0.0, segment.from), segment.to));
   }
   const std::string where = listed > 6 ? heft::say("{} and {} more", joined(stretches), listed - 6) : joined(stretches);
   const bool mostlyContact = contact > 0.3 * report.duration;

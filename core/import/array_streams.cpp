@@ -162,6 +162,7 @@ class ArrayStreams {
     std::vector<double> parts;
     std::optional<std::pair<std::size_t, std::size_t>> partsInTable;
     if (choice_.rateHz > 0.0) {
+      times.reserve(rows);
       for (std::size_t r = 0; r < rows; ++r) times.push_back(static_cast<double>(r) / choice_.rateHz);
       column.unitKnown = true;
       if (!rateSaid_) noteRate(set_, choice_.rateHz);
@@ -189,6 +190,7 @@ class ArrayStreams {
         clockless = !clock;
         if (clockless) {
           if (choice_.clockNeeded && rows >= kFewRows) withoutClock_.emplace_back(group, rows);
+          times.reserve(rows);
           for (std::size_t r = 0; r < rows; ++r) times.push_back(static_cast<double>(r));
           column.unitKnown = true;
         } else {

@@ -28,8 +28,7 @@ Unpacked unpackBz2(std::string_view packed, std::size_t maxBytes, const Progress
     stream.avail_out = static_cast<unsigned>(block.size());
     const int state = BZ2_bzDecompress(&stream);
     const std::size_t got = block.size() - stream.avail_out;
-    if (out.bytes.size() + got > maxBytes) break;
-    out.bytes.append(block, 0, got);
+    if (!out.add(std::string_view(block).substr(0, got), maxBytes)) break;
     out.complete = state == BZ_STREAM_END;
     if (state != BZ_OK || (got == 0 && stream.avail_in == 0)) break;
   }
@@ -46,8 +45,7 @@ Unpacked unpackLz4(std::string_view packed, std::size_t maxBytes, const Progress
     std::size_t got = block.size();
     std::size_t used = packed.size();
     const std::size_t state = LZ4F_decompress(context, block.data(), &got, packed.data(), &used, nullptr);
-    if (LZ4F_isError(state) != 0 || out.bytes.size() + got > maxBytes) break;
-    out.bytes.append(block, 0, got);
+    if (LZ4F_isError(state) != 0 || !out.add(std::string_view(block).substr(0, got), maxBytes)) break;
     packed.remove_prefix(used);
     out.complete = state == 0;
     if (out.complete || (used == 0 && got == 0)) break;
@@ -65,14 +63,13 @@ Unpacked unpackZstd(std::string_view packed, std::size_t maxBytes, const Progres
   while (!progress.cancelled()) {
     ZSTD_outBuffer output{block.data(), block.size(), 0};
     const std::size_t state = ZSTD_decompressStream(context.get(), &output, &input);
-    if (ZSTD_isError(state) != 0 || out.bytes.size() + output.pos > maxBytes) {
+    if (ZSTD_isError(state) != 0 || !out.add(std::string_view(block).substr(0, output.pos), maxBytes)) {
       out.complete = false;
       break;
     }
-    out.bytes.append(block, 0, output.pos);
     out.complete = state == 0;
-    // A file may hold several frames one after the other.
-    if (input.pos == input.size && output.pos < output.size) break;
+    // A file may hold several frames one after the other. A last block may fill the buffer to the end.
+    if (input.pos == input.size && (state == 0 || output.pos < output.size)) break;
   }
   return out;
 }

@@ -14,10 +14,16 @@ enum class Compression { none, bz2, lz4, zstd };
 struct Unpacked {
   std::string bytes;
   bool complete = false;  ///< False: damaged or cut off; `bytes` holds what came before.
+
+  /// The beginning of `block`, as far as `maxBytes` allow; false where that is not all.
+  bool add(std::string_view block, std::size_t maxBytes) {
+    const auto room = maxBytes - bytes.size();
+    bytes += block.substr(0, room);
+    return block.size() <= room;
+  }
 };
 
-/// bz2 stream, LZ4 frame or zstd frame; stops before the result exceeds `maxBytes`, and soon after `progress` is
-/// cancelled.
+/// bz2 stream, LZ4 frame or zstd frame; stops at `maxBytes`, and soon after `progress` is cancelled.
 Unpacked unpack(std::string_view packed, Compression compression, std::size_t maxBytes, const Progress& progress);
 
 /// What one file may unpack to in all: 64 times its size and 1 GB. Numbers of sensors hardly shrink to a tenth; more is

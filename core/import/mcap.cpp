@@ -65,7 +65,9 @@ class McapScan {
     }
     if (badChunks_ > 0)
       note("chunk_damaged",
-           heft::say("{} chunks of the file are damaged; what could be unpacked was read.", badChunks_));
+           badChunks_ == 1
+               ? heft::say("One chunk of the file is damaged; what could be unpacked was read.")
+               : heft::say("{} chunks of the file are damaged; what could be unpacked was read.", badChunks_));
     if (!unknownCompression_.empty())
       note("compression_unknown",
            heft::say("Chunks compressed as \"{}\" cannot be unpacked and were left out.", unknownCompression_),

@@ -14,6 +14,7 @@
 #include "core/base/text.h"
 #include "core/import/array_streams.h"
 #include "core/import/bytes.h"
+#include "core/import/compression.h"
 #include "core/import/zip_file.h"
 #include "core/recording/csv_reader.h"
 
@@ -248,6 +249,7 @@ struct NpyArray {
   std::string bytes;
   NpyHeader header;
   std::vector<std::pair<std::size_t, std::size_t>> channels;  ///< Structured: field and element.
+  bool cut = false;                                           ///< Rows are missing at its end.
 };
 
 /// The array as channels; nothing if it is none, `odd` then says why, where there is something to say.
@@ -287,6 +289,7 @@ std::optional<NumberArray> describeNpy(NpyArray& npy, const std::string& path, b
   const std::size_t perRow = npy.header.structured ? 1 : out.channels;
   const std::size_t there = (npy.bytes.size() - npy.header.dataAt) / npy.header.itemSize / perRow;
   if (there < out.rows && npy.header.fortran && out.channels > 1) return std::nullopt;
+  npy.cut = there < out.rows;
   out.rows = std::min(out.rows, there);
   if (out.rows < 2) return std::nullopt;
   return out;
@@ -324,26 +327,32 @@ Result<StreamSet> readNumpyStreams(const std::filesystem::path& path, const Fiel
   std::vector<NpyArray> arrays;
   std::vector<NumberArray> described;
   std::vector<std::string> odd;
-  const auto add = [&](std::string content, const std::string& name, bool alone) {
-    NpyArray npy{std::move(content), {}, {}};
+  const auto note = [&](const char* code, std::string text) {
+    set.findings.push_back({Severity::warning, code, std::move(text), {}, {set.file, 0, 0}});
+  };
+  const auto add = [&](std::string content, const std::string& name, bool alone, bool toItsEnd = true) {
+    NpyArray npy{std::move(content), {}, {}, false};
     std::string why;
     auto array = describeNpy(npy, name, alone, why);
     if (!array && !why.empty() && odd.size() < 5) odd.push_back(fmt::format("{} ({})", printable(name, 100), why));
     if (!array) return;
+    if (npy.cut && toItsEnd)
+      note("dataset_damaged", heft::say("The dataset /{} is damaged or cut off.", printable(array->path)));
     arrays.push_back(std::move(npy));
     described.push_back(std::move(*array));
   };
   if (std::string_view(*bytes).starts_with(kNpyMagic)) {
     add(std::move(*bytes), path.stem().string(), true);
   } else {
-    // What one file unpacks to: 64 times its size and 1 GB are more than numbers of a sensor ever shrink by.
-    std::size_t left = 64 * bytes->size() + (std::size_t{1} << 30);
+    UnpackBudget budget(bytes->size());
     for (const auto& member : zipMembers(*bytes)) {
-      if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
       if (!member.name.ends_with(".npy")) continue;
-      auto content = readZipMember(*bytes, member, left);
-      left -= content.size();
-      add(std::move(content), member.name.substr(0, member.name.size() - 4), false);
+      auto content = readZipMember(*bytes, member, budget.most(std::numeric_limits<std::size_t>::max()), progress);
+      if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
+      const bool all = budget.spend(content.bytes.size());
+      if (!all) note("file_too_large", budgetText(bytes->size()));
+      add(std::move(content.bytes), member.name.substr(0, member.name.size() - 4), false, all);
+      if (!all) break;
     }
   }
   if (!odd.empty())

@@ -266,20 +266,28 @@ Result<bool> scanSqliteBag(const std::filesystem::path& file, MessageListener& l
   }
   // Compressed, or cut off so that SQLite does not open the file itself.
   Unpacked content{bytes->read(0, kLargestDatabase), true};
-  const std::size_t most = UnpackBudget(bytes->size()).most(kLargestDatabase);
-  if (compressed) content = unpack(content.bytes, Compression::zstd, most, progress);
+  UnpackBudget budget(bytes->size());
+  if (compressed) content = unpack(content.bytes, Compression::zstd, budget.most(kLargestDatabase), progress);
   if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
-  if (!content.complete)
-    findings.push_back({Severity::warning,
-                        "file_cut_off",
-                        heft::say("The compressed file is cut off or damaged; what could be unpacked was read."),
-                        {},
-                        {name, 0, 0}});
+  std::string cut;  // Why this is not all of it
+  if (!content.complete) {
+    const bool withinBudget = budget.spend(content.bytes.size());
+    const bool tooLarge = !withinBudget || content.bytes.size() >= kLargestDatabase;
+    cut = !withinBudget ? budgetText(bytes->size())
+          : tooLarge
+              ? heft::say("The database unpacks to more than {} MB; the rest was not read.", kLargestDatabase >> 20)
+              : heft::say("The compressed file is cut off or damaged; what could be unpacked was read.");
+    findings.push_back({Severity::warning, tooLarge ? "file_too_large" : "file_cut_off", cut, {}, {name, 0, 0}});
+  }
   const auto database = databaseIn(content.bytes);
-  if (!database)
-    return errorAt({name, 0, 0}, heft::say("this database cannot be opened."),
-                   heft::say("It is damaged at its beginning; \"sqlite3 BAG .recover\" may save its rows."));
-  return SqliteScan(name, bytes->size(), listener, findings).run(database.get(), progress);
+  auto scanned = database ? SqliteScan(name, bytes->size(), listener, findings).run(database.get(), progress)
+                          : errorAt({name, 0, 0}, heft::say("this database cannot be opened."),
+                                    heft::say("It is damaged at its beginning; \"sqlite3 BAG .recover\" may save its "
+                                              "rows."));
+  // An error leaves no findings.
+  if (!scanned && !scanned.error().cancelled && !cut.empty())
+    return Error{scanned.error().message + " " + cut, scanned.error().cancelled};
+  return scanned;
 }
 
 Result<bool> scanRos2Folder(const std::filesystem::path& folder, MessageListener& listener, Findings& findings,

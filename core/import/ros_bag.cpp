@@ -115,11 +115,14 @@ class BagScan {
 
   Result<bool> finish() {
     if (badChunks_ > 0)
-      findings_.push_back({Severity::warning,
-                           "chunk_damaged",
-                           heft::say("{} chunks of the bag are damaged; what could be unpacked was read.", badChunks_),
-                           "",
-                           {name_, 0, 0}});
+      findings_.push_back(
+          {Severity::warning,
+           "chunk_damaged",
+           badChunks_ == 1
+               ? heft::say("One chunk of the bag is damaged; what could be unpacked was read.")
+               : heft::say("{} chunks of the bag are damaged; what could be unpacked was read.", badChunks_),
+           "",
+           {name_, 0, 0}});
     return true;
   }
 

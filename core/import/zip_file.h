@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/import/compression.h"
+
 namespace heft {
 
 struct ZipMember {
@@ -18,7 +20,9 @@ struct ZipMember {
 /// Members in the order of the directory; empty if there is no sound directory.
 std::vector<ZipMember> zipMembers(std::string_view archive);
 
-/// The content, or its beginning where it is damaged or longer than `maxBytes`.
-std::string readZipMember(std::string_view archive, const ZipMember& member, std::size_t maxBytes);
+/// The content, or its beginning where it is damaged or longer than `maxBytes`; stops soon after `progress` is
+/// cancelled.
+Unpacked readZipMember(std::string_view archive, const ZipMember& member, std::size_t maxBytes,
+                       const Progress& progress);
 
 }  // namespace heft

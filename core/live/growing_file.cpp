@@ -36,7 +36,8 @@ bool claimed(const std::filesystem::path& file, int descriptor, bool made) {
 
 }  // namespace
 
-Result<std::unique_ptr<GrowingFile>> GrowingFile::create(const std::filesystem::path& file) {
+Result<std::unique_ptr<GrowingFile>> GrowingFile::create(const std::filesystem::path& file,
+                                                         std::function<std::string()> before) {
   int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
   const bool made = descriptor >= 0;
   if (!made && errno == EEXIST) {
@@ -53,11 +54,13 @@ Result<std::unique_ptr<GrowingFile>> GrowingFile::create(const std::filesystem::
         heft::say("{} already exists; a recording never overwrites a file. Choose another name.", displayName(file))};
   if (descriptor < 0) return Error{heft::say("{} cannot be created: {}.", displayName(file), std::strerror(errno))};
   flushFolderOf(file);
-  return std::unique_ptr<GrowingFile>(new GrowingFile(file, descriptor, made));
+  return std::unique_ptr<GrowingFile>(new GrowingFile(file, descriptor, made, std::move(before)));
 }
 
-GrowingFile::GrowingFile(std::filesystem::path file, int descriptor, bool made)
-    : file_(std::move(file)), descriptor_(descriptor), made_(made), thread_([this] { run(); }) {}
+GrowingFile::GrowingFile(std::filesystem::path file, int descriptor, bool made, std::function<std::string()> before)
+    : file_(std::move(file)), descriptor_(descriptor), made_(made), before_(std::move(before)), thread_([this] {
+        run();
+      }) {}
 
 GrowingFile::~GrowingFile() {
   {
@@ -168,7 +171,9 @@ void GrowingFile::run() {
     waiting_.pop_front();
     writing_ = true;
     lock.unlock();
-    std::string problem = piece.columns ? widen(piece.text) : write(piece.text);
+    std::string problem;
+    if (const auto before = std::exchange(before_, {})) problem = before();
+    if (problem.empty()) problem = piece.columns ? widen(piece.text) : write(piece.text);
     lock.lock();
     writing_ = false;
     if (problem_.empty()) problem_ = std::move(problem);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -19,7 +20,9 @@ class GrowingFile {
  public:
   /// Fails if the file exists or cannot be made. An empty one that no living program writes to, as a killed one leaves
   /// it, is taken. Of several programs that try at the same moment one succeeds.
-  static Result<std::unique_ptr<GrowingFile>> create(const std::filesystem::path& file);
+  /// `before`: done by the file's own thread before the first text; what it returns is the problem, or nothing.
+  static Result<std::unique_ptr<GrowingFile>> create(const std::filesystem::path& file,
+                                                     std::function<std::string()> before = {});
   ~GrowingFile();  ///< Writes what is left.
   GrowingFile(const GrowingFile&) = delete;
   GrowingFile& operator=(const GrowingFile&) = delete;
@@ -36,7 +39,7 @@ class GrowingFile {
   std::string problem() const;
 
  private:
-  GrowingFile(std::filesystem::path file, int descriptor, bool made);
+  GrowingFile(std::filesystem::path file, int descriptor, bool made, std::function<std::string()> before);
   void run();
   /// Text to append, or the names of columns to add.
   struct Piece {
@@ -54,6 +57,7 @@ class GrowingFile {
   std::filesystem::path file_;
   int descriptor_;
   bool made_;  ///< The file was not there before.
+  std::function<std::string()> before_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Piece> waiting_;

@@ -21,6 +21,24 @@ constexpr double kHandOver = 0.2;  ///< [s]
 constexpr const char* kAccelerations = "ax,ay,az";
 constexpr const char* kRates = "imu_wx,imu_wy,imu_wz";
 
+/// That the setup file is there and says something else, or nothing. One that says the same is as good: a program that
+/// was killed may have left it, or a person wrote it before.
+std::string otherMeta(const std::filesystem::path& file, const std::string& text) {
+  std::error_code code;
+  if (!std::filesystem::exists(file, code)) return {};
+  if (const auto old = readTextFile(file); old && *old == text) return {};
+  return heft::say("{} already exists; a recording never overwrites a file. Choose another name.", displayName(file));
+}
+
+/// What is in the way of the setup file, or nothing once it is there. One that was written since the start is as good:
+/// the studio states the arm that the first sample tells.
+std::string provideMeta(const std::filesystem::path& file, const std::string& text) {
+  std::error_code code;
+  if (std::filesystem::exists(file, code)) return {};
+  const auto written = createTextFile(file, text);
+  return written || std::filesystem::exists(file, code) ? std::string() : written.error().message;
+}
+
 }  // namespace
 
 Result<Recorder> Recorder::create(const std::filesystem::path& csv, const RecordingMeta& meta) {
@@ -30,19 +48,10 @@ Result<Recorder> Recorder::create(const std::filesystem::path& csv, const Record
   Recorder out;
   out.file_ = csv;
   // Who has the CSV has the setup file: of two programs only one comes this far.
-  auto disk = GrowingFile::create(csv);
+  auto disk = GrowingFile::create(csv, [metaFile, text = *text] { return provideMeta(metaFile, text); });
   if (!disk) return disk.error();
   out.disk_ = std::move(*disk);
-  std::error_code code;
-  if (std::filesystem::exists(metaFile, code)) {
-    // One that says the same is as good: a program that was killed may have left it, or a person wrote it before.
-    if (const auto old = readTextFile(metaFile); !old || *old != *text)
-      return Error{heft::say("{} already exists; a recording never overwrites a file. Choose another name.",
-                             displayName(metaFile))};
-  } else {
-    if (const auto written = createTextFile(metaFile, *text); !written) return written.error();
-    out.madeMeta_ = true;
-  }
+  if (auto problem = otherMeta(metaFile, *text); !problem.empty()) return Error{std::move(problem)};
   return out;
 }
 
@@ -55,8 +64,6 @@ Recorder::~Recorder() {
     }
     // Empty files would only be in the next run's way.
     disk_->forget();
-    std::error_code code;
-    if (madeMeta_) std::filesystem::remove(metaFileOf(file_), code);
   } catch (const std::exception&) {
     // Out of memory: what was written before is on the disk.
   }

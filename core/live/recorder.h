@@ -14,7 +14,8 @@ namespace heft {
 
 /// A CSV whose rows are handed to the system every fifth of a second and to the disk every second, by a thread of its
 /// own: a killed program loses at most that, and what is there ends with a whole row. The setup file is there before
-/// the first row. Without any row neither file stays. Not safe to use from several threads at once.
+/// the first row and no sooner, so that a program killed before it leaves nothing in the way. Without any row neither
+/// file stays. Not safe to use from several threads at once.
 class Recorder {
  public:
   /// Fails if a file exists (nothing is ever overwritten; but see GrowingFile, and a setup file that says the same will
@@ -51,7 +52,6 @@ class Recorder {
   std::vector<LiveSample> first_;      ///< They wait until it is known which columns there are.
   std::string pending_;
   bool failed_ = false;
-  bool madeMeta_ = false;
   std::uint64_t rows_ = 0;
   double origin_ = 0.0;
   double handed_ = 0.0;

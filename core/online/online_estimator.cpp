@@ -402,12 +402,21 @@ void OnlineEstimator::Impl::fillState() const {
   state.cutoffHz = lanes[chosen].cutoffHz();
   state.findings = events;
   const LaneBlocks& all = lanes[chosen].blocks;
-  if (gaps > 0) state.findings.push_back({Severity::info, "gaps", heft::say("The data had {} gaps.", gaps), {}, {}});
+  if (gaps > 0)
+    state.findings.push_back({Severity::info,
+                              "gaps",
+                              gaps == 1 ? heft::say("The data had one gap.") : heft::say("The data had {} gaps.", gaps),
+                              {},
+                              {}});
   if (dropped > 0)
     state.findings.push_back(
         {Severity::warning,
          "samples_dropped",
-         heft::say("{} samples were not usable: not finite, without motion, or with a time that does not increase.",
+         dropped == 1
+             ? heft::say(
+                   "One sample was not usable: not finite, without motion, or with a time that does not increase.")
+             : heft::say(
+                   "{} samples were not usable: not finite, without motion, or with a time that does not increase.",
                    dropped),
          heft::say("Check the source."),
          {}});

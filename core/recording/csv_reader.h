@@ -62,6 +62,9 @@ Result<RecordingMeta> parseMeta(std::string_view json, const std::string& name, 
 /// Writes a setup file alone.
 Result<bool> writeMeta(const RecordingMeta& meta, const std::filesystem::path& file);
 
+/// The CSV that writeRecording() writes.
+Result<std::string> recordingText(const Recording& recording);
+
 /// Writes NAME.csv and NAME.meta.json in the file's own wrench sign and otherwise in the plain form, without any key of
 /// Conventions; numbers survive the round trip bit by bit. "-" writes the CSV alone to stdout. Refuses NaN, infinities
 /// and series of unequal length.

@@ -21,4 +21,7 @@ std::vector<Eigen::Index> postureLeaps(const Recording& recording);
 /// 20/s, and a leap is thousands of times what arms do.
 constexpr double kAroundLeap = 0.7;
 
+/// Longer gaps between rows are left out of an estimate [s]: what lies between would be made up. One of its blocks.
+constexpr double kGapLeftOut = 0.02;
+
 }  // namespace heft

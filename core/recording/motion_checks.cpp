@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -7,6 +8,8 @@
 #include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/math/statistics.h"
+#include "core/recording/frozen.h"
+#include "core/recording/leaps.h"
 #include "core/recording/unwrap.h"
 
 namespace heft {
@@ -28,15 +31,22 @@ struct RateFit {
 
 /// Compares changes over about 20 ms with the integral of the rates, so that neither quantisation nor noise of single
 /// steps matters. `change(k, n)` is the increment from row k to row n, `rate(k)` the stated rate, of the same
-/// dimension.
+/// dimension. What lies across a gap says nothing: it lasts more than twice as long. `broken`: rows to which the motion
+/// did not lead from the row before.
 template <class Change, class Rate>
-RateFit fitRates(const VectorXd& time, double stepSize, double smallest, Change change, Rate rate) {
+RateFit fitRates(const VectorXd& time, double stepSize, double smallest, Change change, Rate rate,
+                 const std::vector<bool>& broken = {}) {
   const auto stride = std::max<Eigen::Index>(1, std::lround(0.02 / stepSize));
   double aa = 0.0;
   double ab = 0.0;
   double bb = 0.0;
   Eigen::Index count = 0;
-  for (Eigen::Index k = 0; k + stride < time.size(); k += stride, ++count) {
+  for (Eigen::Index k = 0; k + stride < time.size(); k += stride) {
+    if (time(k + stride) - time(k) > 2.0 * static_cast<double>(stride) * stepSize) continue;
+    if (!broken.empty() &&
+        std::find(broken.begin() + k + 1, broken.begin() + k + stride + 1, true) != broken.begin() + k + stride + 1)
+      continue;
+    ++count;
     const VectorXd a = change(k, k + stride);
     VectorXd b = VectorXd::Zero(a.size());
     for (Eigen::Index i = k; i < k + stride; ++i) b += 0.5 * (time(i + 1) - time(i)) * (rate(i) + rate(i + 1));
@@ -52,12 +62,27 @@ RateFit fitRates(const VectorXd& time, double stepSize, double smallest, Change 
   return fit;
 }
 
+/// The rows of a posture that hung, that at which it went on, and those at which it leaps.
+std::vector<bool> brokenRows(const VectorXd& time, const Eigen::Ref<const MatrixXd>& postures,
+                             const std::vector<Eigen::Index>& leaps) {
+  std::vector<bool> out(static_cast<std::size_t>(time.size()), false);
+  for (const auto& hung : hungPostures(time, postures))
+    std::fill(out.begin() + hung.from, out.begin() + std::min(hung.to + 1, time.size()), true);
+  for (const Eigen::Index row : leaps) out[static_cast<std::size_t>(row)] = true;
+  return out;
+}
+
 bool near(double value, double target) { return value > 0.7 * target && value < 1.4 * target; }
+
+/// Whether rates fit that are rough or late, as velocities of many controllers are.
+bool fits(const RateFit& fit) {
+  return !fit.moves || fit.factor == 0.0 || (fit.correlation > 0.6 && fit.factor > 0.5 && fit.factor < 2.0);
+}
 
 /// What a factor between rates and derivatives gives away; `angle`: rad, otherwise m.
 std::optional<Error> judgeRates(const Examined& examined, const RateFit& fit, const std::string& columns, long field,
                                 bool angle, const std::string& axes) {
-  if (!fit.moves || fit.factor == 0.0) return std::nullopt;
+  if (fits(fit)) return std::nullopt;
   const auto where = examined.column(field);
   if (fit.correlation > 0.8) {
     const auto text = [&](const std::string& what) {
@@ -76,9 +101,6 @@ std::optional<Error> judgeRates(const Examined& examined, const RateFit& fit, co
     if (!angle && near(fit.factor, 1e-3))
       return errorAt(where, text(heft::say("do not fit: the positions are in millimetres")),
                      heft::say("Convert all columns to SI units."));
-    if (fit.factor > 0.5 && fit.factor < 2.0) return std::nullopt;
-  } else if (fit.correlation > 0.6 && fit.factor > 0.5 && fit.factor < 2.0) {
-    return std::nullopt;  // rough or late, as velocities of many controllers are
   }
   examined.note(Severity::warning, "velocity_disagrees", where,
                 heft::say("{} do not fit the positions: factor {:.3g}, correlation {:.2f}.", columns, fit.factor,
@@ -153,38 +175,49 @@ Quaterniond quaternionAt(const Recording& recording, Eigen::Index row) {
 
 std::optional<Error> checkRates(const Examined& examined) {
   const auto& recording = examined.recording;
+  const VectorXd& time = recording.time;
   const double rate = recording.rateHz();
   if (rate <= 0.0 || recording.meta.kind == RecordingKind::poses) return std::nullopt;
+  // Leaps are looked for only where something is wrong: in wrong units, fast motion looks like one.
+  const auto fitOf = [&](double smallest, const auto& change, const auto& rates, const auto& broken) {
+    const RateFit all = fitRates(time, 1.0 / rate, smallest, change, rates);
+    if (fits(all)) return all;
+    const RateFit whole = fitRates(time, 1.0 / rate, smallest, change, rates, broken());
+    return whole.moves ? whole : all;
+  };
   if (recording.dq.rows() > 0) {
-    const auto fit = fitRates(
-        recording.time, 1.0 / rate, 1e-4,
+    const auto fit = fitOf(
+        1e-4,
         [&](Eigen::Index k, Eigen::Index n) -> VectorXd {
           return (recording.q.row(n) - recording.q.row(k)).transpose();
         },
-        [&](Eigen::Index k) { return recording.dq.row(k).transpose(); });
+        [&](Eigen::Index k) { return recording.dq.row(k).transpose(); },
+        [&] { return brokenRows(time, recording.q, jointLeaps(time, recording.q)); });
     if (auto failure =
             judgeRates(examined, fit, heft::say("the joint velocities"), examined.map.velocities.front(), true, {}))
       return failure;
   }
   if (recording.twist.rows() == 0) return std::nullopt;
   if (recording.position.rows() > 0) {
-    const auto fit = fitRates(
-        recording.time, 1.0 / rate, 1e-4,
+    const auto fit = fitOf(
+        1e-4,
         [&](Eigen::Index k, Eigen::Index n) -> VectorXd {
           return (recording.position.row(n) - recording.position.row(k)).transpose();
         },
-        [&](Eigen::Index k) { return recording.twist.row(k).head<3>().transpose(); });
+        [&](Eigen::Index k) { return recording.twist.row(k).head<3>().transpose(); },
+        [&] { return brokenRows(time, recording.position, positionLeaps(time, recording.position)); });
     if (auto failure = judgeRates(examined, fit, "vx, vy, vz", examined.map.twist[0], false,
                                   heft::say(" (base axes, at the sensor's origin)")))
       return failure;
   }
-  const auto fit = fitRates(
-      recording.time, 1.0 / rate, 1e-3,
+  const auto fit = fitOf(
+      1e-3,
       [&](Eigen::Index k, Eigen::Index n) -> VectorXd {
         const Eigen::AngleAxisd turn(quaternionAt(recording, n) * quaternionAt(recording, k).conjugate());
         return turn.angle() * turn.axis();
       },
-      [&](Eigen::Index k) { return recording.twist.row(k).tail<3>().transpose(); });
+      [&](Eigen::Index k) { return recording.twist.row(k).tail<3>().transpose(); },
+      [&] { return brokenRows(time, recording.quaternion, orientationLeaps(time, recording.quaternion)); });
   return judgeRates(examined, fit, "wx, wy, wz", examined.map.twist[3], true, heft::say(" (base axes)"));
 }
 
@@ -217,10 +250,11 @@ std::optional<Error> checkQuaternions(const Examined& examined) {
     quaternions.row(k) /= norm;
   }
   if (odd > 0)
-    examined.note(
-        worst > 0.01 ? Severity::warning : Severity::info, "quaternion_not_unit",
-        examined.at(worstRow, examined.map.quaternion[0]),
-        heft::say("{} quaternions are not of length 1, at worst by {:.2g}; all were normalised.", odd, worst));
+    examined.note(worst > 0.01 ? Severity::warning : Severity::info, "quaternion_not_unit",
+                  examined.at(worstRow, examined.map.quaternion[0]),
+                  odd == 1 ? heft::say("One quaternion is not of length 1, by {:.2g}; it was normalised.", worst)
+                           : heft::say("{} quaternions are not of length 1, at worst by {:.2g}; all were normalised.",
+                                       odd, worst));
   if (examined.recording.meta.kind == RecordingKind::poses) return std::nullopt;
   for (Eigen::Index k = 1; k < quaternions.rows(); ++k)
     if (quaternions.row(k).dot(quaternions.row(k - 1)) < 0.0) quaternions.row(k) *= -1.0;

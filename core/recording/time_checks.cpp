@@ -7,6 +7,7 @@
 
 #include "core/base/remedy.h"
 #include "core/base/say.h"
+#include "core/recording/leaps.h"
 
 namespace heft {
 
@@ -115,7 +116,9 @@ std::optional<Error> checkSteps(const Examined& examined) {
                         gaps, seconds(lost), seconds(steps(longest)), time(longest), seconds(median))
             : heft::say("{} gaps in time, together {}; the longest is {} at {:.6g} s, where steps are {} (median).",
                         gaps, seconds(lost), seconds(steps(longest)), time(longest), seconds(median)),
-        heft::say("Samples were lost there; the motion is interpolated across the gap."));
+        steps(longest) > kGapLeftOut
+            ? heft::say("Samples were lost there; gaps of more than {:.0f} ms are left out.", 1e3 * kGapLeftOut)
+            : heft::say("Samples were lost there; the motion is interpolated across the gap."));
   }
 
   const double spread = (high - low) / median;

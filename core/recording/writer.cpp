@@ -59,7 +59,58 @@ void appendText(std::string& out, std::string_view cell) {
   out += '"';
 }
 
-Result<std::string> csvText(const Recording& recording) {
+nlohmann::ordered_json vectorJson(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+/// A path below the setup file's folder is written relative to it, so that both can move together.
+std::string robotText(const std::string& robot, const std::filesystem::path& metaFile) {
+  const std::filesystem::path path(robot);
+  if (!path.is_absolute()) return robot;
+  std::error_code ec;
+  const auto folder = std::filesystem::absolute(metaFile, ec).parent_path().lexically_normal();
+  const auto relative = ec ? std::filesystem::path() : path.lexically_relative(folder);
+  return relative.empty() || *relative.begin() == ".." ? robot : relative.string();
+}
+
+}  // namespace
+
+Result<std::string> metaText(const RecordingMeta& meta, const std::filesystem::path& metaFile) {
+  nlohmann::ordered_json root;
+  root["robot"] = nullptr;
+  if (meta.robot) root["robot"] = robotText(*meta.robot, metaFile);
+  root["kind"] = meta.kind == RecordingKind::poses ? "poses" : "motion";
+  auto& sensor = root["sensor"];
+  sensor["mount"]["parent"] = meta.mount.parent;
+  sensor["mount"]["xyz_m"] = vectorJson(meta.mount.xyz);
+  sensor["mount"]["rpy_rad"] = vectorJson(meta.mount.rpy);
+  if (!meta.sensorModel.empty()) sensor["model"] = meta.sensorModel;
+  sensor["wrench_sign"] = meta.wrenchSign == WrenchSign::payloadOnSensor ? "payload_on_sensor" : "sensor_on_payload";
+  const nlohmann::json conventions = metaPatch(meta.conventions);
+  // The sensor's first: a further key of an ordered object moves what `sensor` refers to.
+  if (conventions.contains("sensor"))
+    for (const auto& [key, value] : conventions["sensor"].items()) sensor[key] = value;
+  for (const auto& [key, value] : conventions.items())
+    if (key != "sensor") root[key] = value;
+  root["gravity_m_s2"] = vectorJson(meta.gravity);
+  const auto& known = meta.knownPayload;
+  if (known.mass) root["known_payload"]["mass_kg"] = *known.mass;
+  if (known.com) root["known_payload"]["com_m"] = vectorJson(*known.com);
+  if (known.inertiaCom) {
+    auto& rows = root["known_payload"]["inertia_com_kgm2"];
+    for (int r = 0; r < 3; ++r) rows.push_back(vectorJson(known.inertiaCom->row(r).transpose()));
+  }
+  if (meta.clockAlignmentStd) root["clock_alignment_std_s"] = *meta.clockAlignmentStd;
+  for (const auto& mark : meta.marks)
+    root["marks"].push_back({{"from_s", mark.from}, {"to_s", mark.to}, {"label", toString(mark.label)}});
+  if (!meta.note.empty()) root["note"] = meta.note;
+  try {
+    return root.dump(1) + "\n";
+  } catch (const nlohmann::json::exception&) {
+    return Error{heft::say("{} cannot be written: a text in it, perhaps the robot's path, is not valid UTF-8.",
+                           displayName(metaFile))};
+  }
+}
+
+Result<std::string> recordingText(const Recording& recording) {
   const auto rows = recording.rows();
   if (rows == 0) return Error{heft::say("The recording cannot be written: it has no rows.")};
   if (recording.wrenchNeedsPose)
@@ -112,57 +163,6 @@ Result<std::string> csvText(const Recording& recording) {
   return out;
 }
 
-nlohmann::ordered_json vectorJson(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-/// A path below the setup file's folder is written relative to it, so that both can move together.
-std::string robotText(const std::string& robot, const std::filesystem::path& metaFile) {
-  const std::filesystem::path path(robot);
-  if (!path.is_absolute()) return robot;
-  std::error_code ec;
-  const auto folder = std::filesystem::absolute(metaFile, ec).parent_path().lexically_normal();
-  const auto relative = ec ? std::filesystem::path() : path.lexically_relative(folder);
-  return relative.empty() || *relative.begin() == ".." ? robot : relative.string();
-}
-
-}  // namespace
-
-Result<std::string> metaText(const RecordingMeta& meta, const std::filesystem::path& metaFile) {
-  nlohmann::ordered_json root;
-  root["robot"] = nullptr;
-  if (meta.robot) root["robot"] = robotText(*meta.robot, metaFile);
-  root["kind"] = meta.kind == RecordingKind::poses ? "poses" : "motion";
-  auto& sensor = root["sensor"];
-  sensor["mount"]["parent"] = meta.mount.parent;
-  sensor["mount"]["xyz_m"] = vectorJson(meta.mount.xyz);
-  sensor["mount"]["rpy_rad"] = vectorJson(meta.mount.rpy);
-  if (!meta.sensorModel.empty()) sensor["model"] = meta.sensorModel;
-  sensor["wrench_sign"] = meta.wrenchSign == WrenchSign::payloadOnSensor ? "payload_on_sensor" : "sensor_on_payload";
-  const nlohmann::json conventions = metaPatch(meta.conventions);
-  // The sensor's first: a further key of an ordered object moves what `sensor` refers to.
-  if (conventions.contains("sensor"))
-    for (const auto& [key, value] : conventions["sensor"].items()) sensor[key] = value;
-  for (const auto& [key, value] : conventions.items())
-    if (key != "sensor") root[key] = value;
-  root["gravity_m_s2"] = vectorJson(meta.gravity);
-  const auto& known = meta.knownPayload;
-  if (known.mass) root["known_payload"]["mass_kg"] = *known.mass;
-  if (known.com) root["known_payload"]["com_m"] = vectorJson(*known.com);
-  if (known.inertiaCom) {
-    auto& rows = root["known_payload"]["inertia_com_kgm2"];
-    for (int r = 0; r < 3; ++r) rows.push_back(vectorJson(known.inertiaCom->row(r).transpose()));
-  }
-  if (meta.clockAlignmentStd) root["clock_alignment_std_s"] = *meta.clockAlignmentStd;
-  for (const auto& mark : meta.marks)
-    root["marks"].push_back({{"from_s", mark.from}, {"to_s", mark.to}, {"label", toString(mark.label)}});
-  if (!meta.note.empty()) root["note"] = meta.note;
-  try {
-    return root.dump(1) + "\n";
-  } catch (const nlohmann::json::exception&) {
-    return Error{heft::say("{} cannot be written: a text in it, perhaps the robot's path, is not valid UTF-8.",
-                           displayName(metaFile))};
-  }
-}
-
 Result<bool> writeMeta(const RecordingMeta& meta, const std::filesystem::path& file) {
   const auto text = metaText(meta, file);
   if (!text) return text.error();
@@ -170,7 +170,7 @@ Result<bool> writeMeta(const RecordingMeta& meta, const std::filesystem::path& f
 }
 
 Result<bool> writeRecording(const Recording& recording, const std::filesystem::path& csv) {
-  const auto text = csvText(recording);
+  const auto text = recordingText(recording);
   if (!text) return text.error();
   if (csv == "-") return writeTextFile(csv, *text);
   if (auto written = writeTextFile(csv, *text); !written) return written;

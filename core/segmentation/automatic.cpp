@@ -2,10 +2,12 @@
 #include <cmath>
 
 #include "core/base/say.h"
+#include "core/base/time_span.h"
 #include "core/math/statistics.h"
 #include "core/segmentation/blocks.h"
 #include "core/segmentation/payload_change.h"
 #include "core/segmentation/sensor_trouble.h"
+#include "core/segmentation/user_marks.h"
 
 namespace heft {
 
@@ -121,7 +123,7 @@ void chooseParts(const WrenchRows& rows, const FitWindows& windows, const std::v
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const double from = rows.time(ranges[p].from), to = rows.time(ranges[p].to - 1);
     if (steps[p].same) {
-      used.push_back(heft::say("{:.1f} to {:.1f} s", from, to));
+      used.push_back(timeSpan(from, to));
     } else {
       const int note = blocks.addReason(
           !steps[p].payload ? heft::say("Free, but with a different sensor bias or payload.")
@@ -165,17 +167,17 @@ void markStanding(const WrenchRows& rows, SegmentBlocks& blocks) {
   std::vector<char> still(at(rows.size()), 0);
   // Column 0 of the regressor is the specific force; the trace of the next three columns' upper block is -2 |omega|^2.
   const auto force = [&](Eigen::Index k) { return Vector3d(rows.Y[at(k)].block<3, 1>(0, 0)); };
-  const Eigen::Index stride = std::max<Eigen::Index>(1, window / 4);
+  const Eigen::Index half = window / 2, stride = std::max<Eigen::Index>(1, window / 4);
   for (Eigen::Index next = 0; next < rows.size() - window + stride; next += stride) {
     const Eigen::Index from = std::min(next, rows.size() - window);
     Vector3d first = Vector3d::Zero(), second = Vector3d::Zero();
     double turning = 0.0;
     for (Eigen::Index k = from; k < from + window; ++k) {
-      (k < from + window / 2 ? first : second) += force(k);
+      (k < from + half ? first : second) += force(k);
       turning += std::max(0.0, -0.5 * rows.Y[at(k)].block<3, 3>(0, 1).trace());
     }
-    first /= static_cast<double>(window / 2);
-    second /= static_cast<double>(window - window / 2);
+    first /= static_cast<double>(half);
+    second /= static_cast<double>(window - half);
     const double omega = std::sqrt(turning / static_cast<double>(window));
     if ((second - first).norm() < 0.15 && omega < 0.08)
       std::fill(still.begin() + from, still.begin() + from + window, char{1});
@@ -270,11 +272,25 @@ void labelAllowing(const WrenchRows& rows, const Vector6d& allowed, const std::o
   chooseParts(rows, windows, parts, ranges, static_cast<std::size_t>(reference - parts.begin()), blocks, findings);
 }
 
+/// "1.20 to 1.35 s and 2.00 to 2.10 s"; of many, the first.
+std::string listed(const std::vector<Trouble>& stretches) {
+  constexpr std::size_t kListed = 3;
+  std::vector<std::string> where;
+  double lasts = 0.0;
+  for (const auto& stretch : stretches) {
+    lasts += stretch.to - stretch.from;
+    if (where.size() < kListed) where.push_back(heft::say("{:.2f} to {:.2f} s", stretch.from, stretch.to));
+  }
+  if (stretches.size() <= kListed) return joined(where);
+  const std::size_t more = stretches.size() - kListed;
+  return more == 1 ? heft::say("{} and {} more segment, {:.2g} s in total", joined(where), more, lasts)
+                   : heft::say("{} and {} more segments, {:.2g} s in total", joined(where), more, lasts);
+}
+
 }  // namespace
 
-void markTrouble(const std::vector<Trouble>& troubles, const WrenchRows& rows, SegmentBlocks& blocks,
-                 Findings& findings) {
-  constexpr std::size_t kListed = 3;
+void markTrouble(const std::vector<Trouble>& troubles, const Recording& recording, const WrenchRows& rows,
+                 SegmentBlocks& blocks, Findings& findings) {
   const double half = 0.5 / rows.rateHz;
   std::vector<std::pair<std::string, std::vector<Trouble>>> byReason;
   for (const auto& trouble : troubles) {
@@ -285,24 +301,36 @@ void markTrouble(const std::vector<Trouble>& troubles, const WrenchRows& rows, S
   }
   for (const auto& [reason, stretches] : byReason) {
     const int note = blocks.addReason(reason);
-    std::vector<std::string> where;
-    double lasts = 0.0;
+    std::vector<Trouble> excluded, used;
     for (const auto& trouble : stretches) {
+      const std::vector<Trouble>* last = nullptr;
       const auto first =
           static_cast<Eigen::Index>(std::floor((trouble.from - half - rows.startTime) * rows.rateHz)) + 1;
-      for (Eigen::Index k = std::max<Eigen::Index>(0, first); k < rows.size() && rows.time(k) - half < trouble.to; ++k)
+      for (Eigen::Index k = std::max<Eigen::Index>(0, first); k < rows.size() && rows.time(k) - half < trouble.to;
+           ++k) {
         blocks.set(k, MarkLabel::ignore, SegmentKind::sensorTrouble, note);
-      lasts += trouble.to - trouble.from;
-      if (where.size() < kListed) where.push_back(heft::say("{:.2f} to {:.2f} s", trouble.from, trouble.to));
+        auto& part = markedAt(recording, rows.time(k)) == MarkLabel::free ? used : excluded;
+        if (last == &part) {
+          part.back().to = std::min(trouble.to, rows.time(k) + half);
+          continue;
+        }
+        part.push_back({std::max(trouble.from, rows.time(k) - half), std::min(trouble.to, rows.time(k) + half), {}});
+        last = &part;
+      }
+      if (!last) excluded.push_back(trouble);
     }
-    const std::string all = stretches.size() > kListed ? heft::say("{} and {} more segments, {:.2g} s in total",
-                                                                   joined(where), stretches.size() - kListed, lasts)
-                                                       : joined(where);
-    findings.push_back({Severity::warning,
-                        "sensor_trouble",
-                        heft::say("{}: {}", all, reason),
-                        heft::say("It is excluded; mark it as free to use it."),
-                        {}});
+    if (!excluded.empty())
+      findings.push_back({Severity::warning,
+                          "sensor_trouble",
+                          heft::say("{}: {}", listed(excluded), reason),
+                          heft::say("It is excluded; mark it as free to use it."),
+                          {}});
+    if (!used.empty())
+      findings.push_back({Severity::info,
+                          "sensor_trouble",
+                          heft::say("{}: {}", listed(used), reason),
+                          heft::say("It is used, since it is marked as free."),
+                          {}});
   }
 }
 

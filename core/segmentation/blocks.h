@@ -38,9 +38,10 @@ struct SegmentBlocks {
   }
 };
 
-/// Labels these stretches "ignore", and says so: a finding a reason.
-void markTrouble(const std::vector<Trouble>& troubles, const WrenchRows& rows, SegmentBlocks& blocks,
-                 Findings& findings);
+/// Labels these stretches "ignore", and says so: a finding a reason, and another for what the user marked free, which
+/// is used in the end.
+void markTrouble(const std::vector<Trouble>& troubles, const Recording& recording, const WrenchRows& rows,
+                 SegmentBlocks& blocks, Findings& findings);
 
 /// What a rigid payload explains, what pushes, where the payload changes and where the tool rests. `clean`: nothing but
 /// where the sensor fails (markTrouble()) and what the user left out.

@@ -130,7 +130,8 @@ Segmentation segmentRows(const Recording& recording, const WrenchRows& rows, Seg
                          const std::optional<PayloadGuess>& guess, const std::vector<Trouble>* trouble) {
   Segmentation out;
   SegmentBlocks blocks(rows.size());
-  if (mode != SegmentMode::all) markTrouble(trouble ? *trouble : sensorTrouble(recording), rows, blocks, out.findings);
+  if (mode != SegmentMode::all)
+    markTrouble(trouble ? *trouble : sensorTrouble(recording), recording, rows, blocks, out.findings);
   if (mode == SegmentMode::automatic) {
     leaveOutMarked(recording, rows, blocks);
     blocks = automaticBlocks(rows, guess, std::move(blocks), out.findings);

@@ -43,13 +43,12 @@ std::vector<FrozenStretch> cutStretches(const FlatTop& flat, const VectorXd& tim
 }
 
 void addGaps(const VectorXd& time, std::vector<Trouble>& out) {
-  // A row is missing, which a step that only jitters does not look like; [s]: a block of the estimate.
-  constexpr double kSteps = 1.75, kLeast = 0.02;
+  constexpr double kSteps = 1.75;  // A row is missing, which a step that only jitters does not look like.
   std::vector<double> steps;
   for (Eigen::Index k = 1; k < time.size(); ++k) steps.push_back(time(k) - time(k - 1));
   const double usual = median(steps);
   for (Eigen::Index k = 1; k < time.size(); ++k)
-    if (steps[static_cast<std::size_t>(k - 1)] > std::max(kSteps * usual, kLeast))
+    if (steps[static_cast<std::size_t>(k - 1)] > std::max(kSteps * usual, kGapLeftOut))
       out.push_back({time(k - 1), time(k), heft::say("Nothing was recorded here.")});
 }
 

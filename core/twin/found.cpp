@@ -1,6 +1,7 @@
 #include "core/twin/found.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "core/base/say.h"
@@ -12,16 +13,69 @@ using nlohmann::json;
 
 namespace {
 
-/// Whether `found` is a heft.diagnose/1 as far as it is read here.
-bool isDiagnosis(const json& found) {
-  const auto isCause = [](const json& cause) {
-    return cause.is_object() && cause.contains("cause") && cause["cause"].is_string() &&
-           (!cause.contains("parameters") ||
-            (cause["parameters"].is_object() && std::ranges::all_of(cause["parameters"], &json::is_object)));
-  };
-  return found.is_object() && found.contains("schema") && found["schema"] == "heft.diagnose/1" &&
-         found.contains("model") && found.contains("payload_after") && found.contains("causes") &&
-         found["causes"].is_array() && std::ranges::all_of(found["causes"], isCause);
+enum class Kind { object, list, text };
+
+/// What a key holds that is read from a diagnosis. A part "*" of the key stands for each element.
+struct Held {
+  std::vector<std::string> key;
+  Kind kind;
+  bool needed = false;
+};
+
+const std::vector<Held>& whatIsRead() {
+  static const std::vector<Held> all{{{"model"}, Kind::object, true},
+                                     {{"model", "bias_and_parameters"}, Kind::list},
+                                     {{"model", "terms"}, Kind::list},
+                                     {{"model", "terms", "*"}, Kind::object},
+                                     {{"model", "terms", "*", "cause"}, Kind::text},
+                                     {{"payload_after"}, Kind::object, true},
+                                     {{"causes"}, Kind::list, true},
+                                     {{"causes", "*"}, Kind::object},
+                                     {{"causes", "*", "cause"}, Kind::text, true},
+                                     {{"causes", "*", "title"}, Kind::text},
+                                     {{"causes", "*", "text"}, Kind::text},
+                                     {{"causes", "*", "when"}, Kind::list},
+                                     {{"causes", "*", "parameters"}, Kind::object},
+                                     {{"causes", "*", "parameters", "*"}, Kind::object},
+                                     {{"causes", "*", "parameters", "*", "unit"}, Kind::text},
+                                     {{"smallest_visible"}, Kind::list},
+                                     {{"smallest_visible", "*"}, Kind::object},
+                                     {{"smallest_visible", "*", "cause"}, Kind::text},
+                                     {{"smallest_visible", "*", "parameter"}, Kind::text},
+                                     {{"smallest_visible", "*", "unit"}, Kind::text},
+                                     {{"sensor_noise"}, Kind::object},
+                                     {{"meta_changes"}, Kind::object},
+                                     {{"meta_changes", "sensor"}, Kind::object},
+                                     {{"meta_changes", "sensor", "mount"}, Kind::object}};
+  return all;
+}
+
+bool isOf(const json& value, Kind kind) {
+  return kind == Kind::object ? value.is_object() : kind == Kind::list ? value.is_array() : value.is_string();
+}
+
+/// Says which key does not hold what it should, from the part `at` of its name on; nothing where all do. `path`: what
+/// `value` is called.
+std::string wrongIn(const json& value, const Held& held, std::size_t at, const std::string& path) {
+  if (at == held.key.size()) {
+    if (isOf(value, held.kind)) return {};
+    if (held.kind == Kind::object) return heft::say("{} is no object", path);
+    return held.kind == Kind::list ? heft::say("{} is no list", path) : heft::say("{} is no text", path);
+  }
+  const std::string& part = held.key[at];
+  if (part != "*") {
+    const std::string name = path.empty() ? part : path + "." + part;
+    // What holds it has an entry of its own.
+    if (!value.is_object()) return {};
+    if (value.contains(part)) return wrongIn(value[part], held, at + 1, name);
+    return held.needed ? heft::say("{} is missing", name) : std::string();
+  }
+  for (const auto& [key, each] : value.items()) {
+    if (!value.is_structured()) break;
+    const std::string name = value.is_array() ? fmt::format("{}[{}]", path, key) : path + "." + printable(key);
+    if (auto wrong = wrongIn(each, held, at + 1, name); !wrong.empty()) return wrong;
+  }
+  return {};
 }
 
 }  // namespace
@@ -34,8 +88,11 @@ const json* findCauseIn(const json& found, const std::string& id) {
 
 std::optional<Error> whatIsMissing(const json& found, const std::string& where,
                                    const std::vector<std::string>& without) {
-  if (!isDiagnosis(found))
+  if (!found.is_object() || found.value("schema", json()) != json("heft.diagnose/1"))
     return Error{heft::say("{} is not a result of a diagnosis; make one with heft diagnose REC --json FILE.", where)};
+  for (const Held& held : whatIsRead())
+    if (const std::string wrong = wrongIn(found, held, 0, {}); !wrong.empty())
+      return Error{heft::say("{}: {}; make it again with heft diagnose REC --json FILE.", where, wrong)};
   for (const auto& id : without)
     if (findCauseIn(found, id) == nullptr) {
       std::vector<std::string> names;

@@ -8069,10 +8069,6 @@ Rauschen %3</translation>
         <translation>Wo das Werkzeug war, ist nicht bekannt: Gelenkwinkel oder Posen mit Positionen werden gebraucht.</translation>
     </message>
     <message>
-        <source>The contact from {:.1f} to {:.1f} s gives no plane: {}.</source>
-        <translation>Der Kontakt von {:.1f} bis {:.1f} s ergibt keine Ebene: {}.</translation>
-    </message>
-    <message>
         <source>Press the tool against the wall or table and hold it for a second.</source>
         <translation>Drücken Sie das Werkzeug gegen die Wand oder den Tisch und halten Sie es eine Sekunde lang.</translation>
     </message>
@@ -9883,6 +9879,73 @@ Rauschen %3</translation>
     <message>
         <source>{} rows are zero in every channel of the wrench, as where a source has no reading; they were replaced by their neighbours.</source>
         <translation>{} Zeilen sind in allen Kanälen von Kraft und Drehmoment null, wie wenn eine Quelle keinen Messwert hat; sie wurden durch ihre Nachbarn ersetzt.</translation>
+    </message>
+    <message>
+        <source>The database unpacks to more than {} MB; the rest was not read.</source>
+        <translation>Die Datenbank entpackt sich auf mehr als {} MB; der Rest wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>{} and {} more segment, {:.2g} s in total</source>
+        <translation>{} und {} weitere Strecke, zusammen {:.2g} s</translation>
+    </message>
+    <message>
+        <source>It is used, since it is marked as free.</source>
+        <translation>Die Strecke wird verwendet, da sie als frei markiert ist.</translation>
+    </message>
+    <message>
+        <source>The contact from {} gives no plane: {}.</source>
+        <translation>Der Kontakt von {} ergibt keine Ebene: {}.</translation>
+    </message>
+    <message>
+        <source>One chunk of the file is damaged; what could be unpacked was read.</source>
+        <translation>Ein Block der Datei ist beschädigt; gelesen wurde, was sich auspacken ließ.</translation>
+    </message>
+    <message>
+        <source>One chunk of the bag is damaged; what could be unpacked was read.</source>
+        <translation>Ein Block des Bags ist beschädigt; was sich entpacken ließ, wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>The data had one gap.</source>
+        <translation>Die Daten hatten eine Lücke.</translation>
+    </message>
+    <message>
+        <source>One sample was not usable: not finite, without motion, or with a time that does not increase.</source>
+        <translation>Eine Messung war nicht brauchbar: nicht endlich, ohne Bewegung, oder mit einer Zeit, die nicht steigt.</translation>
+    </message>
+    <message>
+        <source>One quaternion is not of length 1, by {:.2g}; it was normalised.</source>
+        <translation>Ein Quaternion hat nicht die Länge 1, um {:.2g} daneben; es wurde normiert.</translation>
+    </message>
+    <message>
+        <source>Samples were lost there; gaps of more than {:.0f} ms are left out.</source>
+        <translation>Dort gingen Messwerte verloren; Lücken von mehr als {:.0f} ms werden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{} is no object</source>
+        <translation>{} ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>{} is no list</source>
+        <translation>{} ist keine Liste</translation>
+    </message>
+    <message>
+        <source>{} is no text</source>
+        <translation>{} ist kein Text</translation>
+    </message>
+    <message>
+        <source>{} is missing</source>
+        <translation>{} fehlt</translation>
+    </message>
+    <message>
+        <source>{}: {}; make it again with heft diagnose REC --json FILE.</source>
+        <translation>{}: {}; machen Sie die Datei neu mit heft diagnose REC --json DATEI.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::Autosave</name>
+    <message>
+        <source>%1 cannot be locked.</source>
+        <translation>%1 kann nicht gesperrt werden.</translation>
     </message>
 </context>
 <context>
@@ -12840,6 +12903,14 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Open the recording</source>
         <translation>Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>An older session was restored, saved on %1.</source>
+        <translation>Eine ältere Sitzung wurde wiederhergestellt, gespeichert am %1.</translation>
+    </message>
+    <message>
+        <source>A newer one could not be read; it is now %1. %2</source>
+        <translation>Eine neuere konnte nicht gelesen werden; sie ist jetzt %1. %2</translation>
     </message>
 </context>
 <context>

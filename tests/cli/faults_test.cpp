@@ -91,10 +91,11 @@ TEST_F(FaultsTest, ALiveStartWithoutSamplesLeavesNothingInTheWay) {
   }
   // What a killed program left is empty and nobody's.
   Running killed({"live", "udp:19881", "--record", "two.csv", "--meta", "m.json"}, path("."), "killed");
-  ASSERT_TRUE(within(milliseconds(5000), [&] { return exists("two.meta.json"); }));
+  ASSERT_TRUE(within(milliseconds(5000), [&] { return exists("two.csv"); }));
   killed.signal(SIGKILL);
   killed.wait();
   ASSERT_TRUE(exists("two.csv"));
+  write("m.json", R"({"robot": "panda", "note": "another rig"})");
   const Outcome run = heft({"live", "virtual:3", "--record", "two.csv", "--meta", "m.json", "--duration", "2"});
   EXPECT_EQ(run.exitCode, 0) << run.err;
   EXPECT_GT(wholeRows(read("two.csv")), 100);
@@ -168,6 +169,8 @@ TEST_F(FaultsTest, AVanishedFolderStillPrintsTheResult) {
   const Outcome run = live.wait();
   EXPECT_EQ(run.exitCode, 1);
   EXPECT_THAT(run.err, HasSubstr("rec.csv was deleted while it was being written. The estimate goes on."));
+  EXPECT_THAT(run.err, HasSubstr("heft: gone/rec.csv was deleted while it was being written."));
+  EXPECT_THAT(run.err, HasSubstr("heft: gone/result.json cannot be written"));
   EXPECT_THAT(run.out, HasSubstr("Mass"));
 }
 

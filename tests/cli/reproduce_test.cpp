@@ -28,6 +28,10 @@ TEST_F(ReproduceTest, WritesTablesNumbersAndCharts) {
   EXPECT_EQ(result["runtimes"].size(), 27u);
   for (const char* file : {"errors-predefined.svg", "errors-guided.svg", "runtimes.svg", "why.svg"})
     EXPECT_THAT(read(std::string("charts/") + file), HasSubstr("</svg>")) << file;
+  // What somebody wrote into it would be lost.
+  write("t.md", tables + "\nOur remarks\n");
+  EXPECT_TRUE(failedWithOneSentence(heft(arguments), "t.md already exists"));
+  EXPECT_EQ(read("t.md"), tables + "\nOur remarks\n");
 }
 
 TEST_F(ReproduceTest, ReplacesNothingThatItDidNotWrite) {

@@ -57,11 +57,37 @@ TEST_F(TwinCommandTest, WritesTheRigForOtherSimulators) {
     EXPECT_NEAR(rig["sensor_mount"]["xyz_m"][axis].get<double>() + rig["sensor_as_found"]["xyz_m"][axis].get<double>(),
                 found["meta_changes"]["sensor"]["mount"]["xyz_m"][axis].get<double>(), 1e-9);
   EXPECT_EQ(heft({"export-model", "found.json", "--for", "json", "-o", "rig.json"}).exitCode, 0) << "its own file";
+  auto edited = rig;
+  edited["remark"] = "mine";
+  write("rig.json", edited.dump(2));
+  EXPECT_TRUE(
+      failedWithOneSentence(heft({"export-model", "found.json", "--for", "json", "-o", "rig.json"}), "--force"));
   const Outcome off = heft({"export-model", "found.json", "--for", "json", "--without", "lever_arm"});
   EXPECT_THAT(off.out, HasSubstr("\"causes\": []"));
   for (const char* target : {"mujoco", "gazebo"})
     EXPECT_THAT(heft({"export-model", "found.json", "--for", target}).out, HasSubstr("lever_arm")) << target;
 
+  // What is wrong in it is named, whoever reads it.
+  ASSERT_EQ(heft({"estimate", "beside.csv", "--json", "result.json"}).exitCode, 0);
+  for (const auto& [pointer, told] :
+       {std::pair{"/causes/0/parameters/x/unit", "causes[0].parameters.x.unit is no text"},
+        {"/causes/0/title", "causes[0].title is no text"},
+        {"/causes/0/text", "causes[0].text is no text"},
+        {"/causes/0/when", "causes[0].when is no list"},
+        {"/smallest_visible/0/unit", "smallest_visible[0].unit is no text"},
+        {"/meta_changes", "meta_changes is no object"},
+        {"/model", "model is no object"},
+        {"/model/terms/0/cause", "model.terms[0].cause is no text"},
+        {"/sensor_noise", "sensor_noise is no object"}}) {
+    nlohmann::json odd = found;
+    odd[nlohmann::json::json_pointer(pointer)] = nullptr;
+    write("odd.json", odd.dump());
+    const std::string sentence = std::string("odd.json: ") + told + "; make it again with heft diagnose";
+    EXPECT_TRUE(failedWithOneSentence(heft({"export-model", "odd.json", "--for", "json"}), sentence)) << pointer;
+    EXPECT_TRUE(failedWithOneSentence(
+        heft({"passport", "result.json", "--tool", "a", "--date", "2026-11-29", "--causes", "odd.json"}), sentence))
+        << pointer;
+  }
   EXPECT_EQ(heft({"export-model", "found.json", "--for", "unity"}).exitCode, 2);
   EXPECT_EQ(heft({"export-model", "found.json"}).exitCode, 2);
   write("mine.xml", "<mujoco/>");

@@ -15,6 +15,7 @@
 #include <QScrollBar>
 #include <QWheelEvent>
 
+#include "core/base/json_file.h"
 #include "core/simulation/virtual_rig.h"
 #include "tests/gl/window_fixture.h"
 #include "ui/controller/autosave.h"
@@ -257,6 +258,50 @@ TEST_F(HonestyTest, TheFirstWindowFitsTheScreenWithItsFrame) {
   auto* main = find<QPushButton>(Step::record, "mainButton");
   ASSERT_NE(main, nullptr);
   EXPECT_LE(main->mapTo(&window, QPoint(0, main->height())).y(), window.height());
+}
+
+TEST_F(HonestyTest, ASessionThatCannotBeSavedIsToldUntilItCan) {
+  const QString state = folder.filePath("state");
+  ASSERT_TRUE(writeTextFile(state.toStdString(), "a file where the folder should be"));
+  Workspace other;
+  Autosave autosave(&other, state, 20);
+  MainWindow fresh(&other, false);
+  fresh.useAutosave(&autosave);
+  other.setStep("mark");
+  autosave.flush();
+  EXPECT_TRUE(fresh.messageBar()->text().contains("cannot be saved automatically"));
+  MainWindow german(&other, false);  // As after a change of the language
+  german.useAutosave(&autosave);
+  EXPECT_TRUE(german.messageBar()->text().contains("cannot be saved automatically"));
+  ASSERT_TRUE(QFile::remove(state));
+  autosave.flush();
+  EXPECT_TRUE(autosave.lastSaved().isValid());
+  EXPECT_EQ(fresh.messageBar()->text() + german.messageBar()->text(), "");
+}
+
+TEST_F(HonestyTest, EachSessionThatCannotBeReadIsNamedAndWhatWasRestored) {
+  openWith({});
+  const QString state = folder.filePath("state");
+  ASSERT_TRUE(QDir().mkpath(state));
+  ASSERT_TRUE(workspace.save(state + "/autosave-999997-0.heft"));
+  for (const QString name : {"autosave-999998-0.heft", "autosave-999999-0.heft"}) {
+    QFile file(state + "/" + name);
+    ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+    file.write("{");
+    file.flush();
+    ASSERT_TRUE(file.setFileTime(QDateTime::currentDateTime().addSecs(60), QFileDevice::FileModificationTime));
+  }
+  Workspace other;
+  Autosave autosave(&other, state, 20);
+  MainWindow fresh(&other, false);
+  fresh.useAutosave(&autosave);
+  fresh.messageBar()->findChild<QPushButton*>("messageAction")->click();
+  const QString told = fresh.messageBar()->text();
+  EXPECT_TRUE(told.startsWith("An older session was restored, saved on ")) << told.toStdString();
+  EXPECT_TRUE(told.contains("unreadable-autosave-999998-0.heft") && told.contains("unreadable-autosave-999999-0.heft"))
+      << told.toStdString();
+  EXPECT_FALSE(told.contains("could not be restored")) << told.toStdString();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !other.busy() && other.opened(); }, 60000));
 }
 
 }  // namespace

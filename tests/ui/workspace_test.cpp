@@ -390,15 +390,44 @@ TEST(Autosave, AFullDiskIsToldOnceAndTriedAgain) {
   QStringList told;
   QObject::connect(&autosave, &Autosave::failed, [&](const QString& why) { told << why; });
   ASSERT_TRUE(QDir(folder.filePath("state")).removeRecursively());
+  ASSERT_TRUE(writeTextFile(folder.filePath("state").toStdString(), "nothing can be written below a file"));
   for (const char* step : {"mark", "shape", "mark"}) {
     workspace.setStep(step);
     autosave.flush();
   }
   ASSERT_EQ(told.size(), 1);
   EXPECT_TRUE(told[0].contains("cannot be written")) << told[0].toStdString();
-  ASSERT_TRUE(QDir().mkpath(folder.filePath("state")));
+  ASSERT_TRUE(QFile::remove(folder.filePath("state")));
   autosave.flush();
   EXPECT_TRUE(QFile::exists(autosave.file())) << "and nothing has to change for it";
+}
+
+TEST(Autosave, AFolderThatIsMissingAtTheStartIsToldOnceAndTriedAgain) {
+  QTemporaryDir folder;
+  const QString state = folder.filePath("state");
+  ASSERT_TRUE(writeTextFile(state.toStdString(), "a file where the folder should be"));
+  Workspace workspace;
+  Autosave autosave(&workspace, state + "/heft", 20);
+  QStringList told;
+  QObject::connect(&autosave, &Autosave::failed, [&](const QString& why) { told << why; });
+  for (const char* step : {"mark", "shape", "mark"}) {
+    workspace.setStep(step);
+    autosave.flush();
+  }
+  ASSERT_EQ(told.size(), 1);
+  EXPECT_TRUE(told[0].contains("cannot be written")) << told[0].toStdString();
+  EXPECT_EQ(autosave.problem(), told[0]);
+  ASSERT_TRUE(QFile::remove(state));
+  autosave.flush();
+  EXPECT_TRUE(QFile::exists(autosave.file())) << "and nothing has to change for it";
+  EXPECT_TRUE(QFile::exists(lockBeside(autosave.file()))) << "another program shall not take it for a dead one's";
+  EXPECT_TRUE(autosave.problem().isEmpty());
+  // A folder that somebody deletes takes the lock with it.
+  ASSERT_TRUE(QDir(state).removeRecursively());
+  workspace.setStep("shape");
+  autosave.flush();
+  EXPECT_TRUE(QFile::exists(autosave.file()) && QFile::exists(lockBeside(autosave.file())));
+  EXPECT_EQ(told.size(), 1);
 }
 
 TEST(Autosave, ANormalEndLeavesNothingBehind) {

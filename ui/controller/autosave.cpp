@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 #include <utility>
 
+#include "core/base/file_replacement.h"
 #include "core/base/json_file.h"
 #include "core/workspace/session.h"
 #include "ui/controller/workspace.h"
@@ -36,16 +37,7 @@ void setRecordedFolder(const QString& folder) { folderForRecordings = folder; }
 
 Autosave::Autosave(Workspace* workspace, const QString& folder, int interval, QObject* parent)
     : QObject(parent), workspace_(workspace), folder_(folder), interval_(interval) {
-  QDir().mkpath(folder_);
-  // A name that no living program holds; two windows of one process differ by the number.
-  for (int k = 0; k < 1000 && !lock_; ++k) {
-    file_ =
-        QDir(folder_).filePath(QStringLiteral("autosave-%1-%2.heft").arg(QCoreApplication::applicationPid()).arg(k));
-    if (QFileInfo::exists(file_)) continue;
-    auto lock = std::make_unique<QLockFile>(lockBeside(file_));
-    lock->setStaleLockTime(0);  // Only a dead owner makes it stale, not its age.
-    if (lock->tryLock(0)) lock_ = std::move(lock);
-  }
+  takeName();
   timer_.setSingleShot(true);
   timer_.setInterval(interval_);
   connect(&timer_, &QTimer::timeout, this, &Autosave::flush);
@@ -56,7 +48,37 @@ Autosave::Autosave(Workspace* workspace, const QString& folder, int interval, QO
 }
 
 Autosave::~Autosave() {
-  if (!leaves_) QFile::remove(file_);
+  if (lock_ && !leaves_) QFile::remove(file_);
+}
+
+void Autosave::takeName() {
+  // Without its lock, another program would take the file for a dead one's.
+  if (lock_ && QFileInfo::exists(lockBeside(file_))) return;
+  lock_.reset();
+  QDir().mkpath(folder_);
+  // A name that no living program holds; two windows of one process differ by the number.
+  for (int k = 0; k < 1000 && !lock_; ++k) {
+    file_ =
+        QDir(folder_).filePath(QStringLiteral("autosave-%1-%2.heft").arg(QCoreApplication::applicationPid()).arg(k));
+    if (QFileInfo::exists(file_)) continue;
+    auto lock = std::make_unique<QLockFile>(lockBeside(file_));
+    lock->setStaleLockTime(0);  // Only a dead owner makes it stale, not its age.
+    if (lock->tryLock(0))
+      lock_ = std::move(lock);
+    else if (lock->error() != QLockFile::LockFailedError)
+      return;  // The folder is missing or the disk is full, which no other name helps.
+  }
+}
+
+Result<bool> Autosave::write() {
+  takeName();
+  const std::string text = sessionText(workspace_->session(), folder_.toStdString(), true);
+  if (lock_) return writeTextFile(file_.toStdString(), text);
+  // Nothing stays there without a lock, but the attempt says what is in the way.
+  auto attempt = FileReplacement::begin(file_.toStdString());
+  if (!attempt) return attempt.error();
+  if (const auto written = attempt->write(text); !written) return written.error();
+  return Error{tr("%1 cannot be locked.").arg(file_).toStdString()};
 }
 
 void Autosave::leaveForNextStart() {
@@ -66,10 +88,8 @@ void Autosave::leaveForNextStart() {
 
 void Autosave::flush() {
   timer_.stop();
-  if (!changed_ || !lock_) return;
-  const Session& session = workspace_->session();
-  const auto written = writeTextFile(file_.toStdString(), sessionText(session, folder_.toStdString(), true));
-  if (!written) {
+  if (!changed_) return;
+  if (const auto written = write(); !written) {
     // Told once, while something can be done about it; every retry would be a nuisance.
     const QString why = QString::fromStdString(written.error().message);
     if (std::exchange(problem_, why).isEmpty()) emit failed(why);
@@ -109,6 +129,7 @@ Autosave::Recovered Autosave::recover() {
       discard(orphan);
       continue;
     }
+    out.savedAt = QFileInfo(orphan).lastModified();
     workspace_->takeSession(std::move(session).value());
     // It stands in no file of the user's: closing asks.
     workspace_->undoStack()->resetClean();

@@ -8,6 +8,8 @@
 #include <QTimer>
 #include <memory>
 
+#include "core/base/result.h"
+
 namespace heft {
 
 class Workspace;
@@ -40,6 +42,7 @@ class Autosave : public QObject {
   };
   struct Recovered {
     bool opened = false;
+    QDateTime savedAt;  ///< When the one that was opened was saved
     QList<Unreadable> unreadable;
   };
   /// Opens the newest of them that can be read and removes it once it is saved under this program's own name. Newer
@@ -53,7 +56,10 @@ class Autosave : public QObject {
 
   QString file() const { return file_; }
   QDateTime lastSaved() const { return lastSaved_; }
-  /// Writes at once if anything changed. If that fails, it is retried from time to time.
+  /// Why the session cannot be saved; empty once it could.
+  QString problem() const { return problem_; }
+  /// Writes at once if anything changed. If that fails, it is retried from time to time; so is getting the folder and
+  /// a name in it.
   void flush();
 
  signals:
@@ -62,13 +68,17 @@ class Autosave : public QObject {
   void failed(const QString& sentence);
 
  private:
+  /// Sees to the folder, and to a name in it with a lock. Without a lock afterwards it failed.
+  void takeName();
+  Result<bool> write();
   /// Renames it, so that it is not offered again; returns its new name.
   static QString setAside(const QString& file);
 
   Workspace* workspace_;
   QString folder_, file_;
-  std::unique_ptr<QLockFile> lock_;  ///< Held as long as the program lives; a dead one's is stale.
-  int interval_;                     ///< [ms]
+  std::unique_ptr<QLockFile>
+      lock_;      ///< Held as long as the program lives; a dead one's is stale. None: file_ is not ours.
+  int interval_;  ///< [ms]
   QTimer timer_;
   QDateTime lastSaved_;
   QString problem_;  ///< Why the last attempt failed

@@ -24,11 +24,13 @@ class Recovery : public QObject {
 
  private:
   void showSaved();
+  void showProblem(const QString& why);
   void restore();
   void offerUnfinished();
 
   Autosave* autosave_;
   Parts parts_;
+  QString warning_;  ///< Shown as long as the session cannot be saved
 };
 
 }  // namespace heft

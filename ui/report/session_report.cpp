@@ -199,13 +199,13 @@ QString diagnosisPart(const Workspace& workspace, const DiagnosisReport& report)
                          .arg(goesWithText(report.remaining.goesWith)));
   if (!report.causes.empty()) {
     const ChangeText change = payloadChange(report);
-    out +=
-        paragraph(!change.notReliable.isEmpty()
-                      ? Words::tr("The result is not reliable, even with the causes corrected: %1").arg(change.notReliable)
-                  : change.text.isEmpty()
-                      ? Words::tr("With all causes applied, mass and centre stay the same.")
-                      : Words::tr("With all causes applied, the result changes: %1 (%2 times its stated uncertainty).")
-                            .arg(change.text, numberText(change.sigmas, 1)));
+    out += paragraph(
+        !change.notReliable.isEmpty()
+            ? Words::tr("The result is not reliable, even with the causes corrected: %1").arg(change.notReliable)
+        : change.text.isEmpty()
+            ? Words::tr("With all causes applied, mass and centre stay the same.")
+            : Words::tr("With all causes applied, the result changes: %1 (%2 times its stated uncertainty).")
+                  .arg(change.text, numberText(change.sigmas, 1)));
   }
   for (const bool torque : {false, true}) {
     const auto spectrum = diagnosis::spectrumOf(report.series, torque);

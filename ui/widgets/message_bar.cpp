@@ -40,7 +40,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
 void MessageBar::showMessage(Severity severity, const QString& text) { showMessage(severity, text, {}, {}); }
 
 void MessageBar::showMessage(Severity severity, const QString& text, const QString& action,
-                             std::function<void()> clicked) {
+                             const std::function<void()>& clicked) {
   const auto before = messages_;
   for (const Message& message : before)
     // The same message again, perhaps now with a button; or information already shown.
@@ -121,6 +121,12 @@ void MessageBar::close(QWidget* row) {
   row->hide();
   row->deleteLater();
   if (std::all_of(messages_.begin(), messages_.end(), [](const Message& each) { return each.floats; })) hide();
+}
+
+void MessageBar::withdraw(const QString& text) {
+  const auto messages = messages_;
+  for (const Message& message : messages)
+    if (message.text == text) close(message.row);
 }
 
 void MessageBar::clear() {

@@ -20,7 +20,9 @@ class MessageBar : public QFrame {
 
   void showMessage(Severity severity, const QString& text);
   /// With a button that does something about it and closes the message.
-  void showMessage(Severity severity, const QString& text, const QString& action, std::function<void()> clicked);
+  void showMessage(Severity severity, const QString& text, const QString& action, const std::function<void()>& clicked);
+  /// Closes the one with this text, if it is still shown: what it says is no longer so.
+  void withdraw(const QString& text);
   /// Of all messages shown, one per line.
   QString text() const;
   /// Closes all of them.

@@ -169,7 +169,10 @@ std::string toText(const DiagnosisReport& report) {
                   report.baseline.force, report.baseline.torque, report.noise.force, report.noise.torque);
   int number = 0;
   for (const auto& cause : report.causes) {
-    out += fmt::format("\n{}. {} ({})\n   {}\n", ++number, cause.title, cause.id, cause.sentence);
+    // Some titles hold the term already: "Coarse readings (quantisation)"
+    const std::string term = fmt::format(" ({})", cause.id);
+    out += fmt::format("\n{}. {}{}\n   {}\n", ++number, cause.title,
+                       std::string_view(cause.title).ends_with(term) ? "" : term, cause.sentence);
     for (const auto& p : cause.parameters)
       out += p.std > 0.0 ? fmt::format("   {:<18} {}\n", p.name, parameterWords(p))
                          : fmt::format("   {:<18} {:.4g} {}\n", p.name, p.value, p.unit);

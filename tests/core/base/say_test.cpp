@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/base/said_again.h"
+#include "core/base/time_span.h"
 
 namespace heft {
 namespace {
@@ -38,6 +39,11 @@ TEST_F(Said, EnglishUnlessAnotherLanguageWasChosen) {
             "Von allem sehen 2,5 s berührt aus.");
   setTranslator({});
   EXPECT_EQ(heft::say("the whole"), "the whole");
+}
+
+TEST_F(Said, AShortTimeDoesNotBeginWhereItEnds) {
+  EXPECT_EQ(timeSpan(1.2, 3.44), "1.2 to 3.4 s");
+  EXPECT_EQ(timeSpan(1.16, 1.24), "1.16 to 1.24 s");
 }
 
 TEST_F(Said, WhatHasNoTranslationStaysEnglish) {

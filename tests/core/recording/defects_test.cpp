@@ -185,6 +185,7 @@ TEST(Time, GapsAreCountedAndTheLongestIsPlaced) {
   ASSERT_NE(finding, nullptr);
   EXPECT_EQ(finding->where.line, 122);
   EXPECT_THAT(finding->text, AllOf(HasSubstr("2 gaps"), HasSubstr("0.51 s"), HasSubstr("10 ms")));
+  EXPECT_THAT(finding->remedy, HasSubstr("gaps of more than 20 ms are left out")) << "and not interpolated";
 }
 
 TEST(Time, JitterIsMeasured) {
@@ -273,6 +274,30 @@ TEST(Units, VelocitiesThatDoNotFitAreSaid) {
   const auto result = parse(swapped.text());
   ASSERT_TRUE(result);
   EXPECT_NE(findCode(result->findings, "velocity_disagrees"), nullptr);
+}
+
+TEST(Units, VelocitiesFitAcrossAGapAFrozenPostureAndALeap) {
+  for (const Form form : {Form::joints, Form::pose}) {
+    const Table good = goodTable(form, 400, true);
+    const char* first = form == Form::joints ? "q1" : "px";
+    Table gap = good, frozen = good, leap = good;
+    gap.rows.erase(gap.rows.begin() + 100, gap.rows.begin() + 250);
+    const auto from = static_cast<std::ptrdiff_t>(good.column(first)), to = from + 7;  // Joints, or the pose
+    for (std::size_t r = 100; r < 250; ++r)
+      std::copy(good.rows[99].begin() + from, good.rows[99].begin() + to, frozen.rows[r].begin() + from);
+    for (std::size_t r = 200; r < 400; ++r) leap.cell(r, first) = fmt::format("{}", leap.number(r, first) + 2.0);
+    for (const Table* table : std::initializer_list<const Table*>{&good, &gap, &frozen, &leap}) {
+      const auto result = parse(table->text());
+      ASSERT_TRUE(result) << result.error().message;
+      const auto* finding = findCode(result->findings, "velocity_disagrees");
+      EXPECT_EQ(finding, nullptr) << finding->text;
+    }
+    // What is wrong is still found there.
+    frozen.scaleColumn(form == Form::joints ? "dq1" : "vx", -40.0);
+    const auto result = parse(frozen.text());
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_NE(findCode(result->findings, "velocity_disagrees"), nullptr);
+  }
 }
 
 TEST(Units, TorquesInNewtonMillimetresAreSaid) {

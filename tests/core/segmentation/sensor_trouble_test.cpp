@@ -138,6 +138,24 @@ TEST(SensorTrouble, ALeapOfThePostureIsLeftOutAndCanBeTakenBack) {
   EXPECT_DOUBLE_EQ(troubled(recording, SegmentMode::automatic), 0.0);
 }
 
+TEST(SensorTrouble, WhatTheUserMarkedFreeIsNotSaidToBeExcluded) {
+  Recording recording = aRecording(32);
+  recording.wrench.col(3).segment(3000, 1000).setConstant(recording.wrench(3000, 3));  // 3 to 4 s
+  const auto motion = motionOf(recording, &RobotModel::panda(), {});
+  const auto said = [&](double from, double to) {
+    recording.meta.marks = {{from, to, MarkLabel::free}};
+    std::string all;
+    for (const auto& finding : segmentRows(recording, rowsOf(*motion, 50.0), SegmentMode::automatic).findings)
+      if (finding.code == "sensor_trouble") all += finding.text.substr(0, 14) + "|" + finding.remedy + "\n";
+    return all;
+  };
+  EXPECT_EQ(said(0.0, 1.0), "3.00 to 4.00 s|It is excluded; mark it as free to use it.\n");
+  EXPECT_EQ(said(2.5, 4.5), "3.00 to 4.00 s|It is used, since it is marked as free.\n");
+  const std::string both = said(3.5, 4.5);
+  EXPECT_NE(both.find("3.00 to 3.50 s|It is excluded; "), std::string::npos) << both;
+  EXPECT_NE(both.find("3.50 to 4.00 s|It is used, "), std::string::npos) << both;
+}
+
 TEST(SensorTrouble, AChannelThatIsMostlyCutOffIsNamed) {
   Recording recording = aRecording(33);
   cutBothEnds(recording, 5, 0.3);

@@ -78,6 +78,15 @@ TEST(DiagnosisReport, PageSaysWhatElseWasNoticed) {
             std::string::npos);
 }
 
+TEST(DiagnosisReport, ATermThatTheTitleHoldsIsNotSaidTwice) {
+  DiagnosisReport report = made().report;
+  report.causes.resize(1);
+  EXPECT_NE(toText(report).find("1. Force readings late (delay) (time_offset)\n"), std::string::npos);
+  report.causes[0].id = "quantisation";
+  report.causes[0].title = "Coarse readings (quantisation)";
+  EXPECT_NE(toText(report).find("1. Coarse readings (quantisation)\n"), std::string::npos) << toText(report);
+}
+
 TEST(DiagnosisReport, SaysByHowMuchThePayloadMoves) {
   DiagnosisReport report = made().report;
   report.before.payload.mass = 1.0;
