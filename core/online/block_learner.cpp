@@ -65,7 +65,7 @@ Prepared learnedWith(const LaneBlocks& blocks, std::vector<MarkLabel> labels) {
     if (!blocks.usable[static_cast<std::size_t>(k)]) out.labels[static_cast<std::size_t>(k)] = MarkLabel::ignore;
   out.runs = runsOf(out.labels, 0, blocks.size(), kMaxArOrder + 4);
   for (const auto& run : out.runs) out.usedBlocks += run.to - run.from;
-  if (6 * out.usedBlocks < 4 * kColumns) {
+  if (6 * out.usedBlocks < Eigen::Index{4} * kColumns) {
     out.runs.clear();
     out.usedBlocks = 0;
     return out;
@@ -79,7 +79,7 @@ Prepared learnedWith(const LaneBlocks& blocks, std::vector<MarkLabel> labels) {
 }
 
 Prepared learnedFrom(const LaneBlocks& blocks) {
-  if (6 * blocks.size() < 4 * kColumns) {
+  if (6 * blocks.size() < Eigen::Index{4} * kColumns) {
     Prepared out;
     out.blocks = blocks.rows(0, blocks.size());
     return out;

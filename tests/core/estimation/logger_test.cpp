@@ -46,7 +46,10 @@ bool said(const EstimateReport& report, const std::string& code) {
 TEST(HeldReadings, AreFoundWithTheirOwnTimes) {
   const VectorXd time = VectorXd::LinSpaced(1000, 0.0, 0.999);
   Eigen::Matrix<double, Eigen::Dynamic, 6> wrench(1000, 6);
-  for (Eigen::Index k = 0; k < 1000; ++k) wrench.row(k).setConstant(std::sin(0.37 * static_cast<double>(k / 20)));
+  for (Eigen::Index k = 0; k < 1000; ++k) {
+    const Eigen::Index reading = k / 20;
+    wrench.row(k).setConstant(std::sin(0.37 * static_cast<double>(reading)));
+  }
   const HeldValues held = heldValues(time, wrench);
   EXPECT_NEAR(held.period, 0.02, 1e-9);
   ASSERT_EQ(held.rows.size(), 50u);
