@@ -38,8 +38,8 @@ constexpr double kDescribes = 0.2, kAboveScatter = 5.0;
 /// Nor while it leaves this share of a load that is so many times what they scatter: then it describes next to nothing.
 constexpr double kNothing = 0.7, kLoaded = 2.0;
 constexpr std::size_t kMostSteps = 1000;  // Samples whose stamps tell the jitter
-/// Jitter from which on no number is told: its interval would not hold the truth (`live_study`). Up to a fifth of a step
-/// EvenStamps takes it out; [s].
+/// Jitter from which on no number is told: its interval would not hold the truth (`live_study`). Up to a fifth of a
+/// step EvenStamps takes it out; [s].
 constexpr double kJitterShare = 0.2, kHarmlessJitter = 2e-4, kTooMuchJitter = 1e-3;
 constexpr Eigen::Index kSuspicious = 50;  // blocks of contact after which nothing is learned until it is over
 
