@@ -214,7 +214,17 @@ class SignalChecker {
     if (count < 3 || rows_ < 20 * count) return;
     const auto force = recording_.wrench.leftCols<3>();
     const double start = force.topRows(count).colwise().mean().norm();
-    const double range = (force.colwise().maxCoeff() - force.colwise().minCoeff()).norm();
+    constexpr double kSpikes = 0.01;  // Share of the rows at either end that may be spikes
+    double squares = 0.0;
+    for (Eigen::Index c = 0; c < 3; ++c) {
+      VectorXd y = force.col(c);
+      const auto beyond = static_cast<Eigen::Index>(kSpikes * static_cast<double>(rows_));
+      std::nth_element(y.begin(), y.begin() + beyond, y.end());
+      const double low = y(beyond);
+      std::nth_element(y.begin(), y.end() - 1 - beyond, y.end());
+      squares += std::pow(y(rows_ - 1 - beyond) - low, 2);
+    }
+    const double range = std::sqrt(squares);
     if (range < 2.0 || start > 0.02 * range) return;
     examined_.note(Severity::info, "wrench_tared", examined_.column(examined_.map.wrench[0]),
                    heft::say("The force starts at {:.2g} N and later spans {:.3g} N: the sensor was probably zeroed "

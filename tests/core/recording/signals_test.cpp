@@ -101,6 +101,12 @@ TEST(Frozen, LoggerThatHungIsSeenFromTheJump) {
   EXPECT_THAT(finding->text, HasSubstr("The posture"));
 }
 
+TEST(Tare, ASpikeIsNoLoad) {
+  auto table = goodTable(Form::joints, 600);
+  table.cell(400, "fx") = "100000";
+  EXPECT_EQ(findCode(findingsOf(table), "wrench_tared"), nullptr);
+}
+
 TEST(Repeats, CoarseStepsAreNoRate) {
   auto table = goodTable(Form::joints, 400);
   for (std::size_t r = 0; r < 400; ++r)
