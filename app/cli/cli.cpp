@@ -11,6 +11,7 @@
 
 #include "app/cli/numbers.h"
 #include "app/version.h"
+#include "core/base/hash.h"
 #include "core/base/json_file.h"
 #include "core/base/text.h"
 
@@ -142,11 +143,7 @@ void writeOutput(const std::filesystem::path& path, std::string_view text, const
   if (auto written = writeTextFile(path, text); !written) throw Failed(written.error().message);
 }
 
-std::string checksum(std::string_view text) {  // FNV-1a, 64 bits
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return fmt::format("{:016x}", hash);
-}
+std::string checksum(std::string_view text) { return fmt::format("{:016x}", hashOf(text)); }
 
 namespace {
 
@@ -156,6 +153,13 @@ std::string checksumOf(nlohmann::json result) {
   return checksum(dump(result));
 }
 
+/// Whether it is a result of this schema as writeResult() wrote it, perhaps laid out anew.
+bool asWritten(const std::string& text, std::string_view schema) {
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  return json.is_object() && json.value("schema", nlohmann::json()) == nlohmann::json(schema) &&
+         json.value("checksum", nlohmann::json()) == nlohmann::json(checksumOf(json));
+}
+
 }  // namespace
 
 void writeResult(const std::filesystem::path& path, nlohmann::json result, const Overwrite& overwrite) {
@@ -163,10 +167,8 @@ void writeResult(const std::filesystem::path& path, nlohmann::json result, const
   writeOutput(path, fileText(result), overwrite);
 }
 
-bool asWritten(const std::string& text, std::string_view schema) {
-  const auto json = nlohmann::json::parse(text, nullptr, false);
-  return json.is_object() && json.value("schema", nlohmann::json()) == nlohmann::json(schema) &&
-         json.value("checksum", nlohmann::json()) == nlohmann::json(checksumOf(json));
+Overwrite ownResult(bool force, std::string_view schema) {
+  return {force, [schema = std::string(schema)](const std::string& old) { return asWritten(old, schema); }};
 }
 
 ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}

@@ -119,12 +119,12 @@ void writeOutput(const std::filesystem::path& path, std::string_view text, const
 /// Tells a text that somebody changed from one that is as it was written; not meant against forgery. 16 hex digits.
 std::string checksum(std::string_view text);
 
-/// writeOutput() of a result; a file gets a "checksum", by which asWritten() knows it.
+/// writeOutput() of a result; a file gets a "checksum", by which ownResult() knows it.
 void writeResult(const std::filesystem::path& path, nlohmann::json result, const Overwrite& overwrite);
 
-/// True if `text` is a result of this schema as writeResult() wrote it, perhaps laid out anew: a command can make it
+/// A result of this schema may be replaced as writeResult() wrote it, perhaps laid out anew: a command can make it
 /// again, but not what a person changed in it.
-bool asWritten(const std::string& text, std::string_view schema);
+Overwrite ownResult(bool force, std::string_view schema);
 
 /// A line on stderr that shows how far long work is: only on a terminal, and only after half a second.
 class ProgressLine {

@@ -57,22 +57,18 @@ std::string speedText(const LimitUse& use, double cap) {
                      1e3 * use.largestTcpSpeed, 1e3 * cap);
 }
 
-Overwrite ownFiles(const CoachArguments& options, std::string_view schema) {
-  return {options.force, [schema](const std::string& old) { return asWritten(old, schema); }};
-}
-
 void requirePaths(const CoachArguments& options, std::string_view schema) {
   if (options.output == "-" && options.json == "-")
     throw WrongUsage("The trajectory and --json cannot both go to stdout; give -o FILE.");
   if (!options.output.empty()) requireWritable(options.output, {options.force, {}});
-  if (!options.json.empty()) requireWritable(options.json, ownFiles(options, schema));
+  if (!options.json.empty()) requireWritable(options.json, ownResult(options.force, schema));
 }
 
 void writeResults(const CoachArguments& options, std::string_view schema, const json& result, const std::string& text,
                   const JointMotion* motion) {
   if (!options.output.empty() && motion)
     writeOutput(options.output, trajectoryCsv(*motion, options.rateHz), {options.force, {}});
-  if (!options.json.empty()) writeResult(options.json, result, ownFiles(options, schema));
+  if (!options.json.empty()) writeResult(options.json, result, ownResult(options.force, schema));
   if (options.json != "-" && options.output != "-") print(text);
 }
 

@@ -24,8 +24,7 @@ struct CompensateArguments {
 void run(const CompensateArguments& options) {
   if (options.output == "-" && options.json == "-")
     throw WrongUsage("The CSV and --json cannot both go to stdout; give -o FILE or --json FILE.");
-  const Overwrite overwriteJson{options.force,
-                                [](const std::string& old) { return asWritten(old, "heft.compensate/1"); }};
+  const Overwrite overwriteJson = ownResult(options.force, "heft.compensate/1");
   const Overwrite overwriteCsv{options.force, {}};
   if (!options.json.empty()) requireWritable(options.json, overwriteJson);
   if (!options.output.empty()) requireWritable(options.output, overwriteCsv);

@@ -109,7 +109,7 @@ void list(const ConvertArguments& options) {
                  {"missing", contents.missing.empty() ? json(nullptr) : json(contents.missing)},
                  {"conventions", conventions},
                  {"findings", toJson(contents.findings)}},
-                {options.force, [](const std::string& old) { return asWritten(old, "heft.contents/1"); }});
+                ownResult(options.force, "heft.contents/1"));
   if (options.json == "-") return;
   if (!contents.missing.empty()) text += fmt::format("\n{}\n", contents.missing);
   print(text + meaning);
@@ -151,8 +151,7 @@ void run(const ConvertArguments& options) {
                        {"rate_hz", recording.rateHz()},        {"duration_s", recording.duration()},
                        {"motion", motionForm(recording)},      {"wrench_sign_changed", flipped},
                        {"conventions_taken_out", conventions}, {"findings", toJson(read.findings)}};
-    writeResult(options.json, summary,
-                {options.force, [](const std::string& old) { return asWritten(old, "heft.convert/1"); }});
+    writeResult(options.json, summary, ownResult(options.force, "heft.convert/1"));
   }
   if (options.json == "-") return;
   std::string text = fmt::format("{} and {}: {} samples, {:.1f} s at {:.0f} Hz, {}\n", displayName(csv),

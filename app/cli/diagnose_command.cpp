@@ -55,11 +55,9 @@ void run(const DiagnoseArguments& options) {
     settings.hidden.push_back(known[chooseWord("--without", id, known)]);
   }
   settings.segments = segmentChoice(options.segments);
-  const Overwrite overwriteResult{options.force,
-                                  [](const std::string& old) { return asWritten(old, "heft.diagnose/1"); }};
+  const Overwrite overwriteResult = ownResult(options.force, "heft.diagnose/1");
   if (!options.json.empty()) requireWritable(options.json, overwriteResult);
-  const Overwrite overwriteEstimate{options.force,
-                                    [](const std::string& old) { return asWritten(old, "heft.estimate/1"); }};
+  const Overwrite overwriteEstimate = ownResult(options.force, "heft.estimate/1");
   if (!options.result.empty()) requireWritable(options.result, overwriteEstimate);
   for (const auto& file : {options.report, options.correctedMeta})
     if (!file.empty()) requireWritable(file, {options.force, {}});

@@ -179,8 +179,7 @@ void run(const EstimateArguments& options) {
     format = &exportFormats()[chooseWord("--format", options.format, ids)];
     requireWritable(options.output, {options.force, {}});
   }
-  const Overwrite overwriteResult{options.force,
-                                  [](const std::string& old) { return asWritten(old, "heft.estimate/1"); }};
+  const Overwrite overwriteResult = ownResult(options.force, "heft.estimate/1");
   if (!options.json.empty()) requireWritable(options.json, overwriteResult);
 
   ProgressLine line;

@@ -67,8 +67,7 @@ void run(ExportArguments options) {
                                  {"file", toStdout ? nlohmann::json() : nlohmann::json(options.output)},
                                  {"payload", toJson(p)},
                                  {"findings", toJson(payload.findings)}};
-    writeResult(options.json, summary,
-                {options.force, [](const std::string& old) { return asWritten(old, "heft.export/1"); }});
+    writeResult(options.json, summary, ownResult(options.force, "heft.export/1"));
   }
   if (!toStdout && options.json != "-")
     print(fmt::format("{}: {}\n  mass {:.4f} kg, centre of mass ({:.1f}, {:.1f}, {:.1f}) mm from the flange\n",

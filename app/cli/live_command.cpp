@@ -367,7 +367,7 @@ void run(const LiveArguments& options) {
   settings.conventions = conventionChoice(options.conventions);
   if (!options.record.empty() && std::filesystem::path(options.record).extension() != ".csv")
     throw WrongUsage(fmt::format("--record expects a name that ends in .csv, not '{}'.", printable(options.record)));
-  const Overwrite overwrite{options.force, [](const std::string& old) { return asWritten(old, "heft.estimate/1"); }};
+  const Overwrite overwrite = ownResult(options.force, "heft.estimate/1");
   if (!options.json.empty()) requireWritable(options.json, overwrite);
 
   LiveRun live(options, settings);

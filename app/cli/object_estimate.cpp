@@ -21,7 +21,7 @@ void estimateObject(const ObjectFiles& files, const ImportOptions& import, const
         "--shape, --mass and --cad describe one body; with --minus and --picked-up there are two: leave them away.");
   if (!settings.known.empty())
     throw WrongUsage("--known describes one body; with --minus and --picked-up there are two: leave it away.");
-  const Overwrite overwrite{files.force, [](const std::string& old) { return asWritten(old, "heft.estimate/1"); }};
+  const Overwrite overwrite = ownResult(files.force, "heft.estimate/1");
   if (!files.json.empty()) requireWritable(files.json, overwrite);
   ProgressLine line;
   const Input with = readInput(files.with, import, files.robot, line.progress());

@@ -23,7 +23,7 @@ struct ProveArguments {
 void proveFiles(const ProveArguments& options) {
   EstimateOptions settings;
   settings.segments = segmentChoice(options.segments);
-  const Overwrite overwrite{options.force, [](const std::string& old) { return asWritten(old, "heft.prove/1"); }};
+  const Overwrite overwrite = ownResult(options.force, "heft.prove/1");
   if (!options.json.empty()) requireWritable(options.json, overwrite);
   const auto payload = orFail(readJsonFile(options.payload));
   ProgressLine line;

@@ -23,8 +23,7 @@ void run(ReproduceArguments options) {
   requireRange("--recordings", options.reproduce.repeats, 1, 1000, "");
   const bool jsonOnly = options.json == "-";
   if (jsonOnly && options.output == "-") options.output.clear();
-  const Overwrite overwriteJson{options.force,
-                                [](const std::string& old) { return asWritten(old, "heft.reproduce/1"); }};
+  const Overwrite overwriteJson = ownResult(options.force, "heft.reproduce/1");
   // Whether somebody wrote into a text or a chart cannot be seen.
   const Overwrite overwrite{options.force, {}};
   const std::filesystem::path folder = options.plots;

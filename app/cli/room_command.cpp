@@ -27,7 +27,7 @@ void writeTouched(const RoomArguments& options) {
   const auto tool = shapeChoice(options.shape, options.shapeFile);
   if (!tool) throw WrongUsage("Say by --shape or --shape-file what touched: a plane begins where the tool ends.");
   requireRange("--margin", options.margin, 0.0, 0.5, "m");
-  const Overwrite overwrite{options.force, [](const std::string& old) { return asWritten(old, "heft.room/1"); }};
+  const Overwrite overwrite = ownResult(options.force, "heft.room/1");
   requireWritable(options.output, overwrite);
   ProgressLine line;
   const Input input = readInput(options.recording, options.import, options.robot, line.progress());

@@ -24,7 +24,7 @@ void run(const SegmentArguments& options) {
   constexpr std::array kSegmentModes{SegmentMode::automatic, SegmentMode::marks};
   EstimateOptions settings;
   settings.segments = kSegmentModes[chooseWord("--segments", options.segments, {"auto", "marks"})];
-  const Overwrite overwrite{options.force, [](const std::string& old) { return asWritten(old, "heft.segment/1"); }};
+  const Overwrite overwrite = ownResult(options.force, "heft.segment/1");
   if (!options.json.empty()) requireWritable(options.json, overwrite);
   if (!options.payload.empty())
     settings.firstEstimate = orFail(payloadGuessFromJson(orFail(readJsonFile(options.payload)), options.payload));

@@ -110,10 +110,6 @@ JointMotion motionIn(const Simulated& simulated, double rateHz) {
           every(simulated.ddq)};
 }
 
-Overwrite overwriteJson(bool force, const char* schema) {
-  return {force, [schema](const std::string& old) { return asWritten(old, schema); }};
-}
-
 using Simulation = std::function<Simulated(const SimulateOptions&, const Progress&, std::string& said)>;
 
 /// The seed of the first motion that stays clear of the room: `simulate`'s own, then that plus a multiple of
@@ -215,7 +211,7 @@ void tell(const SimulateArguments& options, std::size_t motion, const Simulated&
                    {"rate_hz", options.simulate.rateHz},
                    {"duration_s", simulated.recording.duration()}}}};
     if (!options.truth.empty()) summary["truth"] = options.truth;
-    writeResult(options.json, summary, overwriteJson(options.force, "heft.simulate/1"));
+    writeResult(options.json, summary, ownResult(options.force, "heft.simulate/1"));
   }
   if (options.json == "-") return;
   std::string text =
@@ -257,9 +253,9 @@ void run(SimulateArguments options) {
   const std::string rows = orFail(recordingText(simulated.recording));
   simulated.recording.meta.note += csvNote(rows);
   requireExpendable(csv, simulated.recording.meta, options.force);
-  const Overwrite overwriteTruth = overwriteJson(options.force, "heft.truth/1");
+  const Overwrite overwriteTruth = ownResult(options.force, "heft.truth/1");
   if (!options.truth.empty()) requireWritable(options.truth, overwriteTruth);
-  if (!options.json.empty()) requireWritable(options.json, overwriteJson(options.force, "heft.simulate/1"));
+  if (!options.json.empty()) requireWritable(options.json, ownResult(options.force, "heft.simulate/1"));
   orFail(writeTextFile(csv, rows));
   orFail(writeMeta(simulated.recording.meta, metaFileOf(csv)));
   if (!options.truth.empty()) writeResult(options.truth, truthJson(simulated.truth, options), overwriteTruth);

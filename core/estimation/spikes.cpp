@@ -12,6 +12,7 @@
 #include "core/base/stop.h"
 #include "core/math/statistics.h"
 #include "core/recording/frozen.h"
+#include "core/segmentation/wrench_runs.h"
 
 namespace heft {
 
@@ -204,7 +205,7 @@ std::optional<WrenchSamples> withoutZeros(const Eigen::VectorXd& time, const Wre
                                           Eigen::Index& replaced) {
   constexpr double kLongest = 0.02;  // [s] A block of the estimate
   const auto isZero = [&](Eigen::Index row) { return wrench(row, 0) == 0.0 && wrench.row(row).isZero(0.0); };
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> runs;
+  Runs runs;
   Eigen::Index zeros = 0;
   for (Eigen::Index from = 0; from < wrench.rows();) {
     auto to = from;
@@ -221,13 +222,8 @@ std::optional<WrenchSamples> withoutZeros(const Eigen::VectorXd& time, const Wre
   });
   if (runs.empty()) return std::nullopt;
   WrenchSamples out = wrench;
-  for (const auto& [from, to] : runs) {
-    replaced += to - from;
-    for (Eigen::Index k = from; k < to; ++k) {
-      const double share = (time(k) - time(from - 1)) / (time(to) - time(from - 1));
-      out.row(k) = (1.0 - share) * wrench.row(from - 1) + share * wrench.row(to);
-    }
-  }
+  straightOver(runs, time, out);
+  for (const auto& [from, to] : runs) replaced += to - from;
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "core/base/hash.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/bytes.h"
@@ -105,12 +106,6 @@ void forEachLine(std::string_view text, Act act) {
     act(text.substr(0, stop));
     text = stop == std::string_view::npos ? std::string_view() : text.substr(stop + 1);
   }
-}
-
-std::uint64_t hashOf(std::string_view text) {  // FNV-1a
-  std::uint64_t hash = 14695981039346656037ull;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-  return hash;
 }
 
 }  // namespace

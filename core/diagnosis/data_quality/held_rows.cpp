@@ -167,17 +167,6 @@ Runs zeroRuns(const Recording& recording) {
   return out;
 }
 
-void straightOver(const Runs& runs, const VectorXd& time, Eigen::Ref<MatrixXd> readings) {
-  for (const auto& [from, to] : runs) {
-    if (from == 0 || to == readings.rows()) continue;
-    const double start = time(from - 1), lasts = time(to) - start;
-    for (Eigen::Index i = from; i < to; ++i) {
-      const double share = (time(i) - start) / lasts;
-      readings.row(i) = (1.0 - share) * readings.row(from - 1) + share * readings.row(to);
-    }
-  }
-}
-
 void refresh(Recording& cleaned, const Recording& recording, Runs stale, const std::vector<Held>& notJudged) {
   // Across more than that, a hand's tremor is guessed: then readings had better be late.
   std::erase_if(stale, [&](const auto& run) {

@@ -4,10 +4,9 @@
 #include <vector>
 
 #include "core/recording/recording.h"
+#include "core/segmentation/wrench_runs.h"
 
 namespace heft::diagnosis {
-
-using Runs = std::vector<std::pair<Eigen::Index, Eigen::Index>>;  ///< Of rows [from, to)
 
 /// Rows [from, to) whose wrench repeats the row before.
 struct Held {
@@ -36,9 +35,6 @@ Runs replayedRuns(const Recording& recording);
 /// Runs of rows [from, to) in which all readings are zero, as a driver writes where it has nothing; none if there are
 /// fewer than three such rows.
 Runs zeroRuns(const Recording& recording);
-
-/// Straight lines from the row before each run to the row behind it, in every column of `readings`.
-void straightOver(const Runs& runs, const VectorXd& time, Eigen::Ref<MatrixXd> readings);
 
 /// Cubics through fresh readings in `cleaned`, where those of `recording` are `stale`. Not where the motion was held
 /// with them: then both are equally old; and not where most are held for long.
