@@ -12,7 +12,7 @@
 #include "core/base/stop.h"
 #include "core/math/statistics.h"
 #include "core/recording/frozen.h"
-#include "core/segmentation/wrench_runs.h"
+#include "core/recording/wrench_runs.h"
 
 namespace heft {
 

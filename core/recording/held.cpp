@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/recording/frozen.h"
+#include "core/recording/wrench_runs.h"
 
 namespace heft {
 
@@ -11,9 +11,7 @@ HeldValues heldValues(const VectorXd& time, const Eigen::Matrix<double, Eigen::D
   constexpr std::size_t kFewest = 20;  // Readings
   constexpr double kRegular = 0.9;
   std::vector<Eigen::Index> starts;
-  const Changes changes = changesOf(wrench);
-  for (std::size_t k = 0; k < changes.size(); ++k)
-    if (changes[k] != 0) starts.push_back(static_cast<Eigen::Index>(k));
+  for (const auto& run : wrenchRuns(wrench)) starts.push_back(run.first);
   if (starts.size() < kFewest) return {};
   std::vector<Eigen::Index> lengths;
   for (std::size_t i = 1; i < starts.size(); ++i) lengths.push_back(starts[i] - starts[i - 1]);

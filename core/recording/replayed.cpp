@@ -6,6 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/stop.h"
+
 namespace heft {
 
 namespace {
@@ -21,34 +23,33 @@ std::uint64_t hashOf(const Wrenches& wrench, Eigen::Index row) {
   return out;
 }
 
-/// Whether most rows of a stretch are others than all of its rows before.
-bool variesIn(const Wrenches& wrench, const FrozenStretch& stretch) {
-  std::vector<std::uint64_t> rows;
-  for (Eigen::Index k = stretch.from; k < stretch.to; ++k) rows.push_back(hashOf(wrench, k));
-  const auto changes = 1 + std::ranges::count_if(rows, [before = rows.front()](std::uint64_t row) mutable {
-                         return std::exchange(before, row) != row;
-                       });
-  std::ranges::sort(rows);
-  return 2 * (std::unique(rows.begin(), rows.end()) - rows.begin()) > changes;
+/// Whether a stretch has at least `fewest` readings, and most of them are others than all before.
+bool varies(const Wrenches& wrench, const FrozenStretch& stretch, Eigen::Index fewest) {
+  std::vector<std::uint64_t> readings;
+  for (Eigen::Index k = stretch.from; k < stretch.to; ++k) {
+    const std::uint64_t hash = hashOf(wrench, k);
+    if (readings.empty() || hash != readings.back()) readings.push_back(hash);
+  }
+  const auto count = std::ssize(readings);
+  std::ranges::sort(readings);
+  return count >= fewest && 2 * (std::ranges::unique(readings).begin() - readings.begin()) > count;
 }
 
 }  // namespace
 
-std::vector<Replay> replayedStretches(const VectorXd& time, const Wrenches& wrench) {
-  constexpr Eigen::Index kFewest = 50;
-  constexpr double kShortest = 0.25;  // [s]
-  // One row in eight or so, chosen by what it holds, so that a copy has the same.
-  constexpr std::uint64_t kChosen = 8;
-  std::unordered_map<std::uint64_t, Eigen::Index> first;
+std::vector<Replay> replayedStretches(const Wrenches& wrench, Eigen::Index fewest) {
+  // Looked up are rows chosen by what they hold, so that a copy has the same: about six of the fewest readings.
+  const auto oneIn = static_cast<std::uint64_t>(std::max<Eigen::Index>(1, fewest / 6));
+  std::unordered_map<std::uint64_t, Eigen::Index> seen;  // Where last
   std::vector<Replay> out;
   Eigen::Index next = 1;  // What lies before was looked at.
   for (Eigen::Index k = 1; k < wrench.rows(); ++k) {
-    if (k < next) continue;
+    if (k % kRowsBetweenStops == 0) stopPoint();
     const std::uint64_t hash = hashOf(wrench, k);
-    if (hash % kChosen != 0 || wrench.row(k) == wrench.row(k - 1)) continue;
-    const auto [known, isNew] = first.try_emplace(hash, k);
-    if (isNew) continue;
-    const Eigen::Index shift = k - known->second, floor = std::max(shift, out.empty() ? 0 : out.back().at.to);
+    if (hash % oneIn != 0 || wrench.row(k) == wrench.row(k - 1)) continue;
+    const auto [known, isNew] = seen.try_emplace(hash, k);
+    const Eigen::Index shift = k - std::exchange(known->second, k), floor = std::max(shift, next);
+    if (isNew || k < next) continue;
     Replay found{{k, k}, 0};
     while (found.at.from > floor && wrench.row(found.at.from - 1) == wrench.row(found.at.from - 1 - shift))
       --found.at.from;
@@ -57,9 +58,9 @@ std::vector<Replay> replayedStretches(const VectorXd& time, const Wrenches& wren
            wrench.row(found.at.to) == wrench.row(found.at.to - shift))
       ++found.at.to;
     found.from = found.at.from - shift;
-    if (found.at.length() < kFewest) continue;
+    if (found.at.length() < fewest) continue;
     next = found.at.to;
-    if (time(found.at.to - 1) - time(found.at.from) >= kShortest && variesIn(wrench, found.at)) out.push_back(found);
+    if (varies(wrench, found.at, fewest)) out.push_back(found);
   }
   return out;
 }

@@ -12,8 +12,9 @@ struct Replay {
   Eigen::Index from = 0;  ///< First of the rows that they repeat
 };
 
-/// Stretches of a quarter of a second and 50 rows at least whose wrench is that of earlier rows, one by one. Noise does
-/// not repeat; where a channel is so coarse that few values come, nothing is said. `time` [s]; `wrench`: a row each.
-std::vector<Replay> replayedStretches(const VectorXd& time, const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench);
+/// Stretches with at least `fewest` readings (rows that differ from the row before) whose wrench is that of earlier
+/// rows, one by one. Noise does not repeat; where a channel is so coarse that few values come, nothing is said.
+/// `wrench`: a row each.
+std::vector<Replay> replayedStretches(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench, Eigen::Index fewest);
 
 }  // namespace heft

@@ -6,7 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/stop.h"
-#include "core/recording/frozen.h"
+#include "core/recording/wrench_runs.h"
 
 namespace heft {
 
@@ -125,10 +125,9 @@ std::vector<FlatTop> flatTopsOf(int channel, const Eigen::Ref<const Eigen::Vecto
 }  // namespace
 
 std::vector<FlatTop> flatTops(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench) {
-  const Changes changes = changesOf(wrench);
   std::vector<Eigen::Index> fresh;
-  for (Eigen::Index i = 0; i < wrench.rows(); ++i)
-    if (changes[static_cast<std::size_t>(i)] != 0 && !wrench.row(i).isZero(0.0)) fresh.push_back(i);
+  for (const auto& [from, to] : wrenchRuns(wrench))
+    if (!wrench.row(from).isZero(0.0)) fresh.push_back(from);
   std::vector<FlatTop> out;
   if (fresh.size() < 20) return out;
   std::array<std::vector<FlatTop>, 6> found;

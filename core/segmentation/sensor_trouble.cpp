@@ -111,7 +111,8 @@ std::vector<Trouble> sensorTrouble(const Recording& recording, const std::vector
                                          nameOf(flat.channel), flat.level, flat.channel < 3 ? "N" : "N m");
     for (const FrozenStretch& stretch : cutStretches(flat, time)) add(stretch, reason);
   }
-  for (const Replay& replay : replayedStretches(time, wrench))
+  constexpr Eigen::Index kFewestOnceMore = 50;  // Readings
+  for (const Replay& replay : replayedStretches(wrench, kFewestOnceMore))
     add(replay.at,
         heft::say("The readings are those from {:.2f} s on once more: they were logged twice.", time(replay.from)));
   addGaps(time, out);

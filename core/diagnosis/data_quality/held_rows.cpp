@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <utility>
 
-#include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
 #include "core/math/statistics.h"
 #include "core/motion/resample.h"
-#include "core/segmentation/wrench_runs.h"
+#include "core/recording/wrench_runs.h"
 
 namespace heft::diagnosis {
 
@@ -124,34 +122,6 @@ Runs staleRuns(const Recording& recording) {
   // Coarse or smoothed readings stand still on all channels at once by chance, too.
   const double byChance = (still / std::max(1.0, static_cast<double>(runs.size()) - 1.0)).prod();
   if (static_cast<double>(stale) < 3.0 * static_cast<double>(recording.rows()) * byChance) out.clear();
-  return out;
-}
-
-Runs replayedRuns(const Recording& recording) {
-  std::map<std::array<double, 6>, Eigen::Index> last;  // Row at which a reading was seen
-  Runs out;
-  Eigen::Index from = 0, back = 0, fresh = 0;  // The run so far: how many rows before it was read first
-  const auto ends = [&](Eigen::Index to) {
-    if (back > 0 && to - from >= kFewestSamples && recording.time(to - 1) - recording.time(from) >= kShortestGap &&
-        static_cast<double>(fresh) > kLargeShare * static_cast<double>(to - from))
-      out.emplace_back(from, to);
-    from = to;
-    fresh = 0;
-  };
-  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-    if (i % kRowsBetweenStops == 0) stopPoint();
-    std::array<double, 6> reading;
-    for (std::size_t c = 0; c < 6; ++c) reading[c] = recording.wrench(i, static_cast<Eigen::Index>(c));
-    const auto [known, isNew] = last.try_emplace(reading, i);
-    const Eigen::Index offset = isNew ? 0 : i - known->second;
-    if (offset != back) {
-      ends(i);
-      back = offset;
-    }
-    fresh += i > 0 && repeats(recording.wrench, i) ? 0 : 1;
-    known->second = i;
-  }
-  ends(recording.rows());
   return out;
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/recording/recording.h"
-#include "core/segmentation/wrench_runs.h"
+#include "core/recording/wrench_runs.h"
 
 namespace heft::diagnosis {
 
@@ -27,10 +27,6 @@ Runs staleRuns(const Recording& recording);
 /// then makes up for it at once: whatever reported it had stalled. None if these make up more than a twentieth of the
 /// recording.
 Runs motionHolds(const Recording& recording);
-
-/// Runs of rows [from, to) whose readings are, row by row and to the last digit, those of some rows before, as where a
-/// driver hands out a buffer a second time. Noise makes no such run of 15 rows and 15 ms.
-Runs replayedRuns(const Recording& recording);
 
 /// Runs of rows [from, to) in which all readings are zero, as a driver writes where it has nothing; none if there are
 /// fewer than three such rows.

@@ -114,7 +114,7 @@ std::optional<Direct> dropouts(const Recording& recording, const RowFacts& facts
   const Eigen::Index n = recording.rows();
   Eigen::Index held = 0, zeros = 0, missing = 0, replayed = 0, motionHeld = 0;
   for (const auto& [from, to] : facts.stale) held += to - from;
-  for (const auto& [from, to] : facts.replayed) replayed += to - from;
+  for (const Replay& replay : facts.replayed) replayed += replay.at.length();
   for (const auto& [from, to] : facts.motionHeld) motionHeld += to - from;
   const auto blanks = zeroRuns(recording);
   for (const auto& [from, to] : blanks) zeros += to - from;
@@ -140,9 +140,9 @@ std::optional<Direct> dropouts(const Recording& recording, const RowFacts& facts
   for (const auto& [from, to] : blanks)
     if (recording.time(to - 1) - recording.time(from) > kShortestGap)
       std::fill(out.rows.begin() + from, out.rows.begin() + to, true);
-  for (const auto& [from, to] : facts.replayed) {
-    std::fill(out.rows.begin() + from, out.rows.begin() + to, true);
-    out.when.emplace_back(recording.time(from), recording.time(to - 1));
+  for (const Replay& replay : facts.replayed) {
+    std::fill(out.rows.begin() + replay.at.from, out.rows.begin() + replay.at.to, true);
+    out.when.emplace_back(recording.time(replay.at.from), recording.time(replay.at.to - 1));
   }
   // Where the motion was held, too, or nothing was recorded, its derivatives are wrong a little further.
   const auto beside = static_cast<Eigen::Index>(kMoment * recording.rateHz());
@@ -174,7 +174,7 @@ RowFacts rowFactsOf(const Recording& recording) {
   stopPoint();
   out.stale = staleRuns(recording);
   stopPoint();
-  out.replayed = replayedRuns(recording);
+  out.replayed = replayedStretches(recording.wrench, kFewestSamples);
   stopPoint();
   out.motionHeld = motionHolds(recording);
   stopPoint();

@@ -10,6 +10,7 @@
 #include "core/diagnosis/data_quality/held_rows.h"
 #include "core/diagnosis/data_quality/time_stamps.h"
 #include "core/motion/motion.h"
+#include "core/recording/replayed.h"
 #include "core/segmentation/flat_tops.h"
 
 namespace heft::diagnosis {
@@ -25,7 +26,7 @@ struct RowFacts {
   Eigen::Index loneSpikes = 0;         ///< Of these, those in which one channel leaps far and none with it
   std::vector<Held> held;              ///< As of heldRows(recording)
   Runs stale;                          ///< As of staleRuns(recording)
-  Runs replayed;                       ///< As of replayedRuns(recording)
+  std::vector<Replay> replayed;        ///< As of replayedStretches(), 20 readings and more
   Runs motionHeld;                     ///< As of motionHolds(recording)
   /// The wrench with what zeros, spikes, flat tops and steps hide put in again, as far as that can be told
   Eigen::Matrix<double, Eigen::Dynamic, 6> restored;

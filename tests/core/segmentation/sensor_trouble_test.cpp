@@ -79,14 +79,14 @@ TEST(SensorTrouble, WhatWasLoggedTwiceCountsOnce) {
   half.wrench.bottomRows(rows / 2) = whole.wrench.topRows(rows / 2);
   EXPECT_NEAR(troubled(half, SegmentMode::automatic), 0.5, 0.01);
   second.wrench.middleRows(6000, 1000) = whole.wrench.middleRows(1500, 1000);
-  const auto found = replayedStretches(second.time, second.wrench);
+  const auto found = replayedStretches(second.wrench, 50);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].at.from, 6000);
   EXPECT_EQ(found[0].at.to, 7000);
   EXPECT_EQ(found[0].from, 1500);
   for (Eigen::Index k = 0; k < rows; ++k)
     for (Eigen::Index c = 0; c < 6; ++c) toggling.wrench(k, c) = k / 3 % 2 == 0 ? 1.0 : 2.0;
-  EXPECT_TRUE(replayedStretches(toggling.time, toggling.wrench).empty());
+  EXPECT_TRUE(replayedStretches(toggling.wrench, 20).empty());
 }
 
 TEST(SensorTrouble, ACoarseChannelIsFrozenOnlyWhereItLeaps) {

@@ -157,17 +157,17 @@ TEST(SampleTests, AJumpOfThePostureSaysNothingOfReportedVelocities) {
 /// digit.
 TEST(SampleTests, ReadingsHandedOutTwiceAreNoTouch) {
   const Recording whole = aRecording(MotionKind::excitation, 19);
-  EXPECT_TRUE(diagnosis::replayedRuns(whole).empty());
+  EXPECT_TRUE(replayedStretches(whole.wrench, 20).empty());
   Recording recording = whole;
   const Eigen::Index back = std::lround(0.25 * recording.rateHz());
   for (const double at : {2.1, 5.4, 8.9}) {
     const Eigen::Index from = std::lround(at * recording.rateHz());
     recording.wrench.middleRows(from, back) = whole.wrench.middleRows(from - back, back);
   }
-  const auto runs = diagnosis::replayedRuns(recording);
+  const auto runs = replayedStretches(recording.wrench, 20);
   ASSERT_EQ(runs.size(), 3u);
-  EXPECT_NEAR(recording.time(runs[1].first), 5.4, 0.002);
-  EXPECT_EQ(runs[1].second - runs[1].first, back);
+  EXPECT_NEAR(recording.time(runs[1].at.from), 5.4, 0.002);
+  EXPECT_EQ(runs[1].at.length(), back);
   const auto report = diagnosed(recording);
   ASSERT_EQ(report.causes.size(), 1u) << said(report);
   EXPECT_EQ(report.causes.front().id, "dropouts") << said(report);

@@ -1,4 +1,4 @@
-#include "core/segmentation/wrench_runs.h"
+#include "core/recording/wrench_runs.h"
 
 namespace heft {
 
