@@ -88,6 +88,8 @@ static_assert(kMomentBlocks == 5);
 constexpr double kEvent = 0.3, kBriefly = 3.0;
 /// [s] Shorter gaps in the rows are bridged: a tool hardly changes its acceleration meanwhile.
 constexpr double kShortestGap = 0.015;
+/// [s] Longer recordings are searched in parts; it is as much of them as one question is asked of.
+constexpr double kLongRecording = 150.0;
 /// [m] How far from the sensor a tool reaches that a hand guides.
 constexpr double kToolReach = 0.5;
 /// [m/s], [rad/s] What is slower stands still.

@@ -18,8 +18,8 @@ namespace heft::diagnosis {
 
 namespace {
 
-/// [s] Longer recordings are searched in parts, which are as long as a demonstration that tells a payload well.
-constexpr double kLong = 150.0, kPart = 40.0;
+/// [s] Parts are as long as a demonstration that tells a payload well.
+constexpr double kPart = 40.0;
 
 /// Rows of a recording: [from, to).
 struct Rows {
@@ -178,7 +178,7 @@ Findings findingsOf(const SearchedInParts& searches) {
                    "against the result, in steps of {:.1f} s.",
                    part.cleaned.time(0), part.cleaned.time(part.cleaned.time.size() - 1), step),
          heft::say("A brief disturbance elsewhere may go unnoticed: diagnose a recording of at most {:.0f} s of it.",
-                   kLong),
+                   kLongRecording),
          {}});
   return out;
 }
@@ -187,7 +187,7 @@ Result<SearchedInParts> searchedAtAnyLength(const Recording& recording, const Re
                                             const RobotModel* robot, const DiagnoseOptions& options,
                                             const Progress& progress) {
   SearchedInParts out;
-  if (recording.duration() <= kLong) {
+  if (recording.duration() <= kLongRecording) {
     auto found = searched(recording, readings, robot, options, progress);
     if (!found) return found.error();
     out.whole = std::move(*found);

@@ -33,35 +33,68 @@ struct Match {
   double left = 1e300;  ///< Sum of squares left over
 };
 
-class Comparison {
+/// Velocities that were reported beside the positions of a while.
+class ComparedPart {
  public:
-  /// `leaps`: times since the motion's start at which the positions leap [s]. Nothing around them is compared.
-  Comparison(MatrixXd q, MatrixXd reported, double rateHz, double recordedHz, const std::vector<double>& leaps)
-      : q_(std::move(q)),
-        slope_(rateOf(q_, rateHz)),
-        reported_(std::move(reported)),
-        rateHz_(rateHz),
-        halfStep_(0.5 / std::max(1.0, recordedHz)) {
+  /// `leaps`: times since the part's start at which the positions leap [s]. Nothing around them is compared.
+  ComparedPart(MatrixXd q, MatrixXd reported, double rateHz, const std::vector<double>& leaps)
+      : q_(std::move(q)), slope_(rateOf(q_, rateHz)), reported_(std::move(reported)), rateHz_(rateHz) {
     const auto edge = static_cast<Eigen::Index>(kLongest * rateHz_);
     for (Eigen::Index k = edge; k < q_.cols() - edge; ++k)
       if (std::ranges::none_of(leaps, [t = static_cast<double>(k) / rateHz_](double leap) {
             return t > leap - kLongest && t < leap + kLongest + 2.0 * kLongest;
           }))
         compared_.push_back(k);
+    reportedThere_ = inCompared(reported_);
+  }
+
+  /// Reported by `reporting`, as they were reported, their slopes, and what a mean over `reach` [s] to either side
+  /// makes of what was reported: where it is compared.
+  MatrixXd by(const Reporting& reporting, double lag) const { return inCompared(reporting(q_, slope_, lag, rateHz_)); }
+  const MatrixXd& reported() const { return reportedThere_; }
+  MatrixXd slope() const { return inCompared(slope_); }
+  MatrixXd reportedMean(double reach) const {
+    return inCompared(delayed(meanSince(reported_, 2.0 * reach, rateHz_), -reach, rateHz_));
+  }
+  Eigen::Index instants() const { return std::ssize(compared_); }
+
+ private:
+  MatrixXd inCompared(const MatrixXd& all) const { return all(Eigen::all, compared_); }
+
+  MatrixXd q_, slope_, reported_, reportedThere_;
+  double rateHz_;                       ///< [Hz]
+  std::vector<Eigen::Index> compared_;  ///< Columns
+};
+
+class Comparison {
+ public:
+  /// `parts`: one at least.
+  Comparison(std::vector<ComparedPart> parts, double rateHz, double recordedHz)
+      : parts_(std::move(parts)), rateHz_(rateHz), halfStep_(0.5 / std::max(1.0, recordedHz)) {
+    for (const ComparedPart& part : parts_) {
+      instants_ += static_cast<double>(part.instants());
+      numbers_ += static_cast<double>(part.reported().size());
+    }
   }
 
   /// Whether there is enough to compare.
-  bool enough() const { return static_cast<double>(compared_.size()) > 2.0 * kLongest * rateHz_ + 50.0; }
+  bool enough() const { return instants_ > 2.0 * kLongest * rateHz_ + 50.0; }
 
   Match at(const Reporting& reporting, double lag) const {
-    stopPoint();
-    const MatrixXd said = reporting(q_, slope_, lag, rateHz_);
-    const MatrixXd x = inCompared(said), r = inCompared(reported_);
     Match out;
     out.lag = lag;
-    const double energy = x.squaredNorm();
-    out.scale = energy > 0.0 ? (x.array() * r.array()).sum() / energy : 1.0;
-    out.left = (r - out.scale * x).squaredNorm();
+    std::vector<MatrixXd> said;
+    double energy = 0.0, product = 0.0;
+    for (const ComparedPart& part : parts_) {
+      stopPoint();
+      const MatrixXd& x = said.emplace_back(part.by(reporting, lag));
+      energy += x.squaredNorm();
+      product += (x.array() * part.reported().array()).sum();
+    }
+    out.scale = energy > 0.0 ? product / energy : 1.0;
+    out.left = 0.0;
+    for (std::size_t i = 0; i < said.size(); ++i)
+      out.left += (parts_[i].reported() - out.scale * said[i]).squaredNorm();
     return out;
   }
 
@@ -85,15 +118,22 @@ class Comparison {
   /// What the reported velocities lack of the slopes, in units of what a mean over `reach` [s] to either side would
   /// take of themselves; noise of either makes it less, not more.
   double lacks(double reach) const {
-    const MatrixXd mean = delayed(meanSince(reported_, 2.0 * reach, rateHz_), -reach, rateHz_);
-    const MatrixXd taken = inCompared(mean) - inCompared(reported_),
-                   lacking = inCompared(reported_) - inCompared(slope_);
-    return (taken.array() * lacking.array()).sum() / std::max(1e-300, taken.squaredNorm());
+    double product = 0.0, squares = 0.0;
+    for (const ComparedPart& part : parts_) {
+      const MatrixXd taken = part.reportedMean(reach) - part.reported(), lacking = part.reported() - part.slope();
+      product += (taken.array() * lacking.array()).sum();
+      squares += taken.squaredNorm();
+    }
+    return product / std::max(1e-300, squares);
   }
 
   /// Root mean square [rad/s, m/s] of what a match leaves, and of the motion's own speed.
-  double leftOver(const Match& match) const { return std::sqrt(match.left / numbers()); }
-  double speed() const { return std::sqrt(inCompared(slope_).squaredNorm() / numbers()); }
+  double leftOver(const Match& match) const { return std::sqrt(match.left / numbers_); }
+  double speed() const {
+    double squares = 0.0;
+    for (const ComparedPart& part : parts_) squares += part.slope().squaredNorm();
+    return std::sqrt(squares / numbers_);
+  }
 
   /// Deviation of the lag [s], from how fast the misfit grows around it.
   double deviation(const Reporting& reporting, const Match& match) const {
@@ -101,18 +141,15 @@ class Comparison {
     const double bend =
         (at(reporting, match.lag + h).left + at(reporting, std::max(1e-4, match.lag - h)).left - 2.0 * match.left) /
         (h * h);
-    const double independent = numbers() / std::max(1.0, kMoment * rateHz_);
+    const double independent = numbers_ / std::max(1.0, kMoment * rateHz_);
     // A filter in steps of the recording is no better known than to half a step.
     return std::max(halfStep_, bend > 0.0 ? std::sqrt(2.0 * match.left / independent / bend) : match.lag);
   }
 
  private:
-  MatrixXd inCompared(const MatrixXd& all) const { return all(Eigen::all, compared_); }
-  double numbers() const { return static_cast<double>(compared_.size()) * static_cast<double>(q_.rows()); }
-
-  MatrixXd q_, slope_, reported_;
-  double rateHz_, halfStep_;            ///< [Hz], [s]
-  std::vector<Eigen::Index> compared_;  ///< Columns
+  std::vector<ComparedPart> parts_;
+  double rateHz_, halfStep_;  ///< [Hz], [s]
+  double instants_ = 0.0, numbers_ = 0.0;
 };
 
 /// Passed on late, through a low-pass, or as the mean since a while ago.
@@ -131,12 +168,31 @@ MatrixXd meanAround(const MatrixXd& q, const MatrixXd&, double reach, double rat
   return (delayed(q, -reach, rateHz) - delayed(q, reach, rateHz)) / (2.0 * reach);
 }
 
-/// Rows of `values` (rows x D) at the motion's instants, D x K.
+/// Instants of the motion: [from, to).
+struct Instants {
+  Eigen::Index from = 0, to = 0;
+};
+
+/// Rows of `values` (rows x D) at these instants, D x K.
 template <typename Values>
-MatrixXd atInstants(const Recording& recording, const Values& values, const Motion& motion) {
-  MatrixXd out(values.cols(), motion.size());
+MatrixXd atInstants(const Recording& recording, const Values& values, const Motion& motion, const Instants& at) {
+  MatrixXd out(values.cols(), at.to - at.from);
   BetweenRows rows(recording.time);
-  for (Eigen::Index k = 0; k < motion.size(); ++k) out.col(k) = rows.at(values, motion.time(k)).transpose();
+  for (Eigen::Index k = at.from; k < at.to; ++k) out.col(k - at.from) = rows.at(values, motion.time(k)).transpose();
+  return out;
+}
+
+/// All instants, or those of parts that are spread evenly over a long recording: how velocities are worked out does not
+/// change on the way.
+std::vector<Instants> partsOf(const Motion& motion) {
+  constexpr Eigen::Index kParts = 5;
+  const auto length = static_cast<Eigen::Index>(kLongRecording / static_cast<double>(kParts) * motion.rateHz);
+  if (motion.size() <= kParts * length) return {{0, motion.size()}};
+  std::vector<Instants> out;
+  for (Eigen::Index i = 0; i < kParts; ++i) {
+    const Eigen::Index from = i * (motion.size() - length) / (kParts - 1);
+    out.push_back({from, from + length});
+  }
   return out;
 }
 
@@ -155,18 +211,30 @@ MatrixXd turnedSinceStart(const Motion& motion) {
 /// Velocities that were reported, of joints or of S, against what they are the slope of; none where there are none.
 std::optional<Comparison> comparisonOf(const Recording& recording, const Motion& motion) {
   const auto rate = motion.rateHz, recorded = recording.rateHz();
-  std::vector<double> leaps;
-  for (const Eigen::Index k : postureLeaps(recording)) leaps.push_back(recording.time(k) - motion.startTime);
-  if (motion.q.cols() == motion.size()) {
-    if (recording.dq.rows() < 2) return {};
-    return Comparison(motion.q, atInstants(recording, recording.dq, motion), rate, recorded, leaps);
+  const bool ofJoints = motion.q.cols() == motion.size();
+  if ((ofJoints ? recording.dq.rows() : recording.twist.rows()) < 2) return {};
+  std::vector<double> leaps;  // [s]
+  for (const Eigen::Index k : postureLeaps(recording)) leaps.push_back(recording.time(k));
+  const MatrixXd turned = ofJoints ? MatrixXd() : turnedSinceStart(motion);
+  std::vector<ComparedPart> parts;
+  for (const Instants& at : partsOf(motion)) {
+    const auto cut = [&](const auto& all) { return MatrixXd(all.middleCols(at.from, at.to - at.from)); };
+    std::vector<double> since = leaps;
+    for (double& leap : since) leap -= motion.time(at.from);
+    if (ofJoints) {
+      parts.emplace_back(cut(motion.q), atInstants(recording, recording.dq, motion, at), rate, since);
+      continue;
+    }
+    const MatrixXd twist = atInstants(recording, recording.twist, motion, at);
+    if (!motion.originAccelerationKnown) {
+      parts.emplace_back(cut(turned), twist.bottomRows(3), rate, since);
+      continue;
+    }
+    MatrixXd pose(6, at.to - at.from);
+    pose << cut(motion.position), cut(turned);
+    parts.emplace_back(std::move(pose), twist, rate, since);
   }
-  if (recording.twist.rows() < 2) return {};
-  const MatrixXd twist = atInstants(recording, recording.twist, motion), turned = turnedSinceStart(motion);
-  if (!motion.originAccelerationKnown) return Comparison(turned, twist.bottomRows(3), rate, recorded, leaps);
-  MatrixXd pose(6, motion.size());
-  pose << motion.position, turned;
-  return Comparison(std::move(pose), twist, rate, recorded, leaps);
+  return Comparison(std::move(parts), rate, recorded);
 }
 
 }  // namespace

@@ -158,6 +158,21 @@ void innovate(const Eigen::Ref<const VectorXd>& x, const Noise& noise, std::size
   }
 }
 
+VectorXd innovateTransposed(const Eigen::Ref<const VectorXd>& e, const Noise& noise, std::size_t channel,
+                            const std::vector<Stretch>& stretches) {
+  const ArModel& model = noise.channels[channel];
+  const Eigen::Index order = model.order();
+  VectorXd out = VectorXd::Zero(e.size());
+  for (const auto& judged : stretches) {
+    const Eigen::Index from = judged.from + order, count = judged.to - from;
+    if (count <= 0) continue;
+    const VectorXd part = e.segment(from, count) / model.sigma;
+    out.segment(from, count) += part;
+    for (Eigen::Index i = 0; i < order; ++i) out.segment(from - 1 - i, count) -= model.coefficients(i) * part;
+  }
+  return out;
+}
+
 void evenByChannel(const Eigen::Ref<const VectorXd>& rows, const Noise& noise, Eigen::Index first, ByChannel& out) {
   const Eigen::Map<const Wrenches> wrench(rows.data(), 6, rows.size() / 6);
   if (noise.level == nullptr)

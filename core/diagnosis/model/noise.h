@@ -56,6 +56,11 @@ void evenByChannel(const Eigen::Ref<const VectorXd>& rows, const Noise& noise, E
 void innovate(const Eigen::Ref<const VectorXd>& x, const Noise& noise, std::size_t channel,
               const std::vector<Stretch>& stretches, Eigen::Index first, Eigen::Ref<VectorXd> out);
 
+/// The transpose of innovate(), of all blocks, on `e`: what multiplies a channel's values, made equally loud, to the
+/// product of their innovations with `e`.
+VectorXd innovateTransposed(const Eigen::Ref<const VectorXd>& e, const Noise& noise, std::size_t channel,
+                            const std::vector<Stretch>& stretches);
+
 /// Columns of 6N rows (row 6 n + channel) turned into unit innovations; rows that are not judged become zero.
 MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches);
 

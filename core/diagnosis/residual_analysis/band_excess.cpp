@@ -38,7 +38,7 @@ BandPower<Bands> powerIn(const std::array<Band, Bands>& bands, const Signals& si
     const Eigen::Index length = s.to - s.from;
     if (length < kShortestSwell) continue;
     const double resolution = signals.blockRate() / static_cast<double>(length);
-    const auto lines = static_cast<Eigen::Index>(std::ceil(bands.back().high / resolution)) - 1;
+    const auto lines = std::min(static_cast<Eigen::Index>(std::ceil(bands.back().high / resolution)) - 1, length / 2);
     const MatrixXd here = taperedPower(residual.middleCols(s.from, length), lines);
     out.total += here.rowwise().sum();
     for (Eigen::Index k = 1; k <= lines; ++k) {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/base/stop.h"
+#include "core/math/periodogram.h"
 
 namespace heft::diagnosis {
 
@@ -118,12 +119,74 @@ std::vector<Matrix3d> orientations(const Signals& signals) {
   return out;
 }
 
-/// The same of forces and torques along the axes of B, of waves in time. The tool turns slowly against the waves, so
-/// that whitening only makes them larger and shifts them, as the noise's spectrum says.
-std::vector<double> powersInTheWorld(const std::vector<Matrix3d>& R_BS, const std::vector<VectorXd>& time,
-                                     const std::vector<Wave>& candidates, const WhitenedResidual& ground,
-                                     double blockRate) {
-  const Eigen::Index blocks = time.front().size();
+/// Waves in time, from the slowest on, at which one transform of the blocks, followed by zeros, has its lines.
+class Rhythms {
+ public:
+  /// Up to `highest` [Hz]; slower ones than these are slowWave()'s, which knows what a walk does.
+  Rhythms(const Signals& signals, double highest)
+      : rateHz_(signals.blockRate()),
+        length_(lengthOfEasyFactors(static_cast<Eigen::Index>(std::ceil(static_cast<double>(signals.blocks()) / 0.6)))),
+        first_(static_cast<Eigen::Index>(std::ceil(std::max(0.6, 3.0 / signals.duration()) / step()))) {
+    for (Eigen::Index k = first_; static_cast<double>(k) * step() < highest; ++k)
+      waves_.push_back({0, 2.0 * std::numbers::pi * static_cast<double>(k) * step()});
+  }
+
+  const std::vector<Wave>& waves() const { return waves_; }
+
+  /// Sums over the blocks of each of `columns` (N x C, a row a block) times exp(-i w n / rate): a row a wave.
+  Eigen::MatrixXcd sumsOf(const MatrixXd& columns) const {
+    return paddedSpectrum(columns, length_).middleRows(first_, std::ssize(waves_));
+  }
+
+  /// What whitening makes of a wave on a channel.
+  std::complex<double> response(const Noise& noise, std::size_t channel, const Wave& wave) const {
+    const ArModel& model = noise.channels[channel];
+    std::complex<double> out = 1.0;
+    for (int i = 0; i < model.order(); ++i)
+      out -= model.coefficients(i) * std::polar(1.0, -wave.multiple * (i + 1) / rateHz_);
+    return out / model.sigma;
+  }
+
+ private:
+  double step() const { return rateHz_ / static_cast<double>(length_); }  // [Hz]
+
+  double rateHz_;
+  Eigen::Index length_, first_;
+  std::vector<Wave> waves_;
+};
+
+/// The same of waves in time. Their products with what is left are exact; how large they are in there, whitened, is
+/// told by the noise's spectrum.
+std::vector<double> powersInTime(const Rhythms& rhythms, const WhitenedResidual& ground) {
+  const Eigen::Index blocks = ground.r.size() / 6;
+  const Eigen::Map<const Wrenches> r(ground.r.data(), 6, blocks);
+  ByChannel adjoint(blocks, 6);
+  Vector6d judged = Vector6d::Zero();
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const NoiseScale::Level* level = ground.noise.level;
+    adjoint.col(c) =
+        innovateTransposed(r.row(c).transpose(), ground.noise, static_cast<std::size_t>(c), ground.stretches);
+    if (level != nullptr) adjoint.col(c).array() *= level->by.row(c).transpose().array();
+    for (const auto& s : ground.stretches)
+      judged(c) += level == nullptr ? static_cast<double>(s.to - s.from)
+                                    : level->by.row(c).segment(s.from, s.to - s.from).squaredNorm();
+  }
+  const Eigen::MatrixXcd sums = rhythms.sumsOf(adjoint);
+  std::vector<double> out(rhythms.waves().size());
+  for (std::size_t k = 0; k < out.size(); ++k)
+    for (std::size_t c = 0; c < 6; ++c) {
+      const auto channel = static_cast<Eigen::Index>(c);
+      const double size = 0.5 * std::norm(rhythms.response(ground.noise, c, rhythms.waves()[k])) * judged(channel);
+      out[k] += std::norm(sums(static_cast<Eigen::Index>(k), channel)) / std::max(1e-9, size);
+    }
+  return out;
+}
+
+/// The same of forces and torques along the axes of B. The tool turns slowly against the waves, so that whitening only
+/// makes them larger and shifts them, as the noise's spectrum says.
+std::vector<double> powersInTheWorld(const std::vector<Matrix3d>& R_BS, const Rhythms& rhythms,
+                                     const WhitenedResidual& ground) {
+  const Eigen::Index blocks = std::ssize(R_BS);
   const Eigen::Map<const Wrenches> r(ground.r.data(), 6, blocks);
   MatrixXd turned = MatrixXd::Zero(blocks, 18);  // Row c of the channel times axis i of B: column 3 c + i
   VectorXd sizes = VectorXd::Zero(18);
@@ -135,27 +198,17 @@ std::vector<double> powersInTheWorld(const std::vector<Matrix3d>& R_BS, const st
           turned(n, 3 * c + i) = along * r(c, n);
           sizes(3 * c + i) += 0.5 * along * along;
         }
-  std::vector<double> out(candidates.size());
-  Courses courses(time);
-  for (std::size_t k = 0; k < candidates.size(); ++k) {
-    stopPoint();
-    const double omega = candidates[k].multiple;
-    const MatrixXd sums = courses.to(candidates[k]).transpose() * turned;  // 2 x 18: sine, cosine
+  const Eigen::MatrixXcd sums = rhythms.sumsOf(turned);
+  std::vector<double> out(rhythms.waves().size());
+  for (std::size_t k = 0; k < out.size(); ++k) {
     std::array<std::complex<double>, 6> response;
-    for (std::size_t c = 0; c < 6; ++c) {
-      const ArModel& model = ground.noise.channels[c];
-      response[c] = 1.0;
-      for (int i = 0; i < model.order(); ++i)
-        response[c] -= model.coefficients(i) * std::polar(1.0, -omega * (i + 1) / blockRate);
-      response[c] /= model.sigma;
-    }
+    for (std::size_t c = 0; c < 6; ++c) response[c] = rhythms.response(ground.noise, c, rhythms.waves()[k]);
     for (Eigen::Index kind = 0; kind < 2; ++kind)
       for (Eigen::Index i = 0; i < 3; ++i) {
         std::complex<double> along = 0.0;
         double size = 0.0;
         for (Eigen::Index c = 3 * kind; c < 3 * kind + 3; ++c) {
-          along += std::conj(response[static_cast<std::size_t>(c)]) *
-                   std::complex<double>(sums(1, 3 * c + i), -sums(0, 3 * c + i));
+          along += std::conj(response[static_cast<std::size_t>(c)]) * sums(static_cast<Eigen::Index>(k), 3 * c + i);
           size += std::norm(response[static_cast<std::size_t>(c)]) * sizes(3 * c + i);
         }
         out[k] += std::norm(along) / std::max(1e-9, size);
@@ -229,14 +282,6 @@ Judged judgeWaves(const std::vector<VectorXd>& angles, const std::vector<Wave>& 
   return out;
 }
 
-/// Waves in time up to `highest` [Hz]; slower ones than these are slowWave()'s, which knows what a walk does.
-std::vector<Wave> rhythms(const Signals& signals, double highest) {
-  std::vector<Wave> out;
-  for (double f = std::max(0.6, 3.0 / signals.duration()); f < highest; f += 0.6 / signals.duration())
-    out.push_back({0, 2.0 * std::numbers::pi * f});
-  return out;
-}
-
 /// Waves in the joints' angles, of which the motion shows at least one and that are not too fast for the blocks.
 std::vector<Wave> ripples(const Signals& signals, const std::vector<VectorXd>& angles) {
   constexpr double kFewestPerTurn = 3.0, kMostPerTurn = 40.0;
@@ -292,34 +337,32 @@ std::vector<VectorXd> blockAngles(const Signals& signals) {
 }  // namespace
 
 BestWave bestWave(const Signals& signals, WaveKind kind, const WhitenedResidual& ground, double lnN, double highestHz) {
-  const bool inTime = kind == WaveKind::onChannels || kind == WaveKind::inTheWorld;
-  std::vector<VectorXd> angles;
-  std::vector<Wave> candidates;
-  if (inTime) {
-    angles = blockTimes(signals);
-    candidates = rhythms(signals, highestHz);
-  } else if (kind == WaveKind::overReadings) {
-    angles = blockReadings(signals, ground.fit);
-    candidates = wavesOverRanges();
-  } else {
-    angles = blockAngles(signals);
-    candidates = ripples(signals, angles);
-  }
-  if (candidates.empty()) return {{-1e300, 0.0}, 0.0};
-  BestWave out;
+  BestWave out{{-1e300, 0.0}, 0.0};
   Wave first;
-  const auto judged = [&](std::vector<double> powers, const OfCourses& columns) {
-    out.judged = judgeWaves(angles, candidates, std::move(powers), columns, ground, lnN, first);
+  const auto judge = [&](const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates,
+                         std::vector<double> powers, const OfCourses& columns) {
+    if (!candidates.empty())
+      out.judged = judgeWaves(angles, candidates, std::move(powers), columns, ground, lnN, first);
   };
-  if (kind == WaveKind::inTheWorld) {
-    const auto R_BS = orientations(signals);
-    judged(powersInTheWorld(R_BS, angles, candidates, ground, signals.blockRate()),
-           [&](const MatrixXd& courses, const auto&) { return inTheWorld(R_BS, courses); });
+  const auto anyOnEach = [](const MatrixXd& courses, const auto&) { return onEachChannel(courses); };
+  const bool inTime = kind == WaveKind::onChannels || kind == WaveKind::inTheWorld;
+  if (inTime) {
+    const Rhythms rhythms(signals, highestHz);
+    if (kind == WaveKind::onChannels) {
+      judge(blockTimes(signals), rhythms.waves(), powersInTime(rhythms, ground), anyOnEach);
+    } else {
+      const auto R_BS = orientations(signals);
+      judge(blockTimes(signals), rhythms.waves(), powersInTheWorld(R_BS, rhythms, ground),
+            [&](const MatrixXd& courses, const auto&) { return inTheWorld(R_BS, courses); });
+    }
   } else if (kind == WaveKind::overReadings) {
-    judged(powersOnOwn(angles, candidates, ground), onOwnChannels);
+    const auto angles = blockReadings(signals, ground.fit);
+    const auto candidates = wavesOverRanges();
+    judge(angles, candidates, powersOnOwn(angles, candidates, ground), onOwnChannels);
   } else {
-    judged(powersOnChannels(angles, candidates, ground),
-           [](const MatrixXd& courses, const auto&) { return onEachChannel(courses); });
+    const auto angles = blockAngles(signals);
+    const auto candidates = ripples(signals, angles);
+    judge(angles, candidates, powersOnChannels(angles, candidates, ground), anyOnEach);
   }
   out.frequencyHz = inTime ? first.multiple / (2.0 * std::numbers::pi) : 0.0;
   return out;

@@ -221,18 +221,12 @@ std::vector<Candidate> scan(const Signals& signals, const std::vector<Stretch>& 
   parallelFor(bank.size(), [&](std::size_t i) {
     answers[i] = {coloured.firstGuess(bank[i], lnN), plain.firstGuess(bank[i], lnN)};
   });
-  std::array<double, 2> many{kSameLikelihood, kSameLikelihood};
+  std::array<double, 2> many{};
   for (std::size_t i = 0; i < bank.size(); ++i)
     for (std::size_t k = 0; k < 2; ++k)
       if (!bank[i].form.walk) many[k] = std::max(many[k], kSmallShare * answers[i][k].squares);
   std::vector<Candidate> out(bank.size());
   parallelFor(bank.size(), [&](std::size_t i) {
-    auto& [best, other] = answers[i];
-    if (bank[i].form.walk || best.squares > many[0] || other.squares > many[1]) {
-      coloured.learnNoise(best, bank[i], lnN);
-      plain.learnNoise(other, bank[i], lnN);
-      if (other.score > best.score) best = std::move(other);
-    }
     const Form& form = bank[i].form;
     Candidate& candidate = out[i];
     candidate.form = form;
@@ -240,6 +234,15 @@ std::vector<Candidate> scan(const Signals& signals, const std::vector<Stretch>& 
     candidate.choicePenalty = 2.0 * std::log(static_cast<double>(std::ssize(kinds) * kinds.at(form.choice)));
     // What moves between the forms, such as a frequency, has been chosen from more than their number.
     if (form.scan.size() < form.parameters.size()) candidate.choicePenalty += kFinerChoice;
+    auto& [best, other] = answers[i];
+    // Few squares are what the noise gains by; and what they do not pay for having been chosen is settled: of a long
+    // recording's thousands of touches, nearly all.
+    const double few = std::max(kSameLikelihood, candidate.choicePenalty);
+    if (form.walk || best.squares > std::max(few, many[0]) || other.squares > std::max(few, many[1])) {
+      coloured.learnNoise(best, bank[i], lnN);
+      plain.learnNoise(other, bank[i], lnN);
+      if (other.score > best.score) best = std::move(other);
+    }
     take(candidate, best);
     if (best.score <= -1e299) return;
     // The wrong sign of the one thing that a form is about: it does not explain anything.
