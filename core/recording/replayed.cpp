@@ -32,7 +32,7 @@ bool varies(const Wrenches& wrench, const FrozenStretch& stretch, Eigen::Index f
   }
   const auto count = std::ssize(readings);
   std::ranges::sort(readings);
-  return count >= fewest && 2 * (std::ranges::unique(readings).begin() - readings.begin()) > count;
+  return count >= fewest && 2 * (std::unique(readings.begin(), readings.end()) - readings.begin()) > count;
 }
 
 }  // namespace
