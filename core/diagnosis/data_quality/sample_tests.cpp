@@ -179,9 +179,9 @@ RowFacts rowFactsOf(const Recording& recording) {
   out.motionHeld = motionHolds(recording);
   stopPoint();
   const WrenchSamples raw = withoutZeros(recording, out.deadBands);
-  WrenchSamples cleaned = withoutSpikes(raw, out.spikes);
+  const WrenchSamples cleaned = withoutSpikes(raw, out.spikes);
   if (out.spikes > 0) out.loneSpikes = loneSpikes(raw, cleaned);
-  Unclipped clipping = unclipped(std::move(cleaned), out.tops, recording.rateHz());
+  Unclipped clipping = unclipped(cleaned, out.tops, recording.rateHz());
   out.lost = std::move(clipping.lost);
   stopPoint();
   out.restored = std::move(clipping.wrench);
