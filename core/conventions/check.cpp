@@ -62,8 +62,8 @@ bool isCause(const Candidate& c, const Reading& stated) {
 }
 
 bool isNegative(const Candidate& stated) {
-  constexpr double kSure = 5.0;  // Standard deviations
-  return stated.fit.x(0) < -kSure * std::sqrt(std::max(0.0, stated.fit.covariance(0, 0)));
+  constexpr double kClearlyNegative = 5.0;  // Standard deviations
+  return stated.fit.x(0) < -kClearlyNegative * std::sqrt(std::max(0.0, stated.fit.covariance(0, 0)));
 }
 
 /// The same changes with nearly the same payload.

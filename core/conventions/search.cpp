@@ -42,8 +42,8 @@ Conventions::Unit unitOf(const char* name, double si) { return {name, si}; }
 
 /// A fit that began at the one may have ended at the other.
 bool near(const Place& a, const Place& b) {
-  constexpr double kTurn = 0.1;  // [rad], as the starts that lead to one turn
-  return (a.turn - b.turn).norm() < kTurn && (a.gravity - b.gravity).norm() < kTurn * a.gravity.norm();
+  constexpr double kOneTurn = 0.1;  // [rad], as the starts that lead to one turn
+  return (a.turn - b.turn).norm() < kOneTurn && (a.gravity - b.gravity).norm() < kOneTurn * a.gravity.norm();
 }
 
 double secondDifferenceNoise(const Blocks& blocks, const Eigen::RowVectorXd& left) {
@@ -83,9 +83,9 @@ Misfit misfitOf(const Blocks& blocks, const Fit& fit) {
 
 /// 2 ln L of `rows` rows against what is `excess` beyond what can be, by that many standard deviations and clearly so.
 double against(double excess, double std, double rows) {
-  constexpr double kSure = 5.0;  // Standard deviations
+  constexpr double kBeyondChance = 5.0;  // Standard deviations
   const double z = excess / std::max(1e-12, std);
-  return z > kSure ? rows * std::log1p(z * z / rows) : 0.0;
+  return z > kBeyondChance ? rows * std::log1p(z * z / rows) : 0.0;
 }
 
 using Covariance16 = Eigen::Matrix<double, 16, 16>;
@@ -239,10 +239,8 @@ std::size_t Check::changesOf(const Way& way, std::size_t form) const {
 
 void Check::addForms() {
   if (!q_.posesInFile) return;
-  using Pose = Conventions::PoseDirection;
-  using Order = Conventions::QuaternionOrder;
-  for (const Pose pose : {Pose::sensorInBase, Pose::baseInSensor})
-    for (const Order order : {Order::xyzw, Order::wxyz}) {
+  for (const auto pose : {Conventions::PoseDirection::sensorInBase, Conventions::PoseDirection::baseInSensor})
+    for (const auto order : {Conventions::QuaternionOrder::xyzw, Conventions::QuaternionOrder::wxyz}) {
       Reading reading = q_.stated;
       if (reading.conventions.pose == pose && reading.conventions.quaternionOrder == order) continue;
       reading.conventions.pose = pose;

@@ -26,7 +26,7 @@ constexpr double kAgree = 3.0;
 constexpr double kMostNoise = 0.3;
 /// Share of the noise that the motion's may be: it grows with the fourth power of frequency, and an autoregressive
 /// model of noise that it rules tells little of the slow noise below, against which a weight is told.
-constexpr double kMostShare = 0.1;
+constexpr double kMostNoiseShare = 0.1;
 constexpr double kHopeless = 1e3;  // Score of a band that is noise
 constexpr int kFewestEquations = 4 * kColumns;
 
@@ -177,7 +177,7 @@ FitRows fitRowsOf(FitRowsQuestion of) {
     if (!enough(stride)) break;
     bands.push_back(rowsAt(stride, of, difference));
     const FitRows& band = bands.back();
-    const bool believed = stride >= of.atLeast && band.share < kMostShare && mostlyMotion(band);
+    const bool believed = stride >= of.atLeast && band.share < kMostNoiseShare && mostlyMotion(band);
     const double score = believed ? fitOf(band.whitened).std.array().log().sum() : kHopeless - stride;
     if (score < least) {
       least = score;

@@ -19,9 +19,9 @@ namespace heft {
 namespace {
 
 constexpr Eigen::Index kLevel = 7;     ///< Rows whose median is the level beside a discharge
-constexpr Eigen::Index kLongest = 24;  ///< Rows of a discharge
+constexpr Eigen::Index kLongestDischarge = 24;  ///< Rows of a discharge
 constexpr double kHolds = 0.35;        ///< Of its height in the second row; a single reading far off is none
-constexpr double kMostShare = 0.05;    ///< Of a channel's rows; what happens all the time is the signal
+constexpr double kMostSpikeShare = 0.05;    ///< Of a channel's rows; what happens all the time is the signal
 constexpr double kBack =
     0.15;  ///< Of a spike's or discharge's height: within that it has fallen back, the load having moved on
 constexpr std::size_t kFewestDischarges = 3;
@@ -108,7 +108,7 @@ std::optional<Discharge> dischargeAt(const WrenchSamples& wrench, Eigen::Index i
       if (std::abs(wrench(k, c) - wrench(k - 1, c)) > 0.75 * limits[static_cast<std::size_t>(c)]) return {};
   // Where the channel would have gone, by its way before.
   const double slope = (out.before - medianOf(wrench, channel, i - 3 * kLevel)) / static_cast<double>(2 * kLevel);
-  for (out.to = i + 1; out.to <= i + kLongest; ++out.to) {
+  for (out.to = i + 1; out.to <= i + kLongestDischarge; ++out.to) {
     if (out.to + 2 * kLevel > wrench.rows()) return {};
     // It is the highest where it begins.
     if ((wrench(out.to, channel) - out.before) / height > 1.2) return {};
@@ -117,7 +117,7 @@ std::optional<Discharge> dischargeAt(const WrenchSamples& wrench, Eigen::Index i
     const double falls = medianOf(wrench, channel, out.to + kLevel) - out.after;
     if (std::abs(off) < std::max(0.5 * limit, kBack * std::abs(height)) && std::abs(falls) < 0.5 * limit) break;
   }
-  if (out.to > i + kLongest) return {};
+  if (out.to > i + kLongestDischarge) return {};
   return out;
 }
 
@@ -140,7 +140,7 @@ std::size_t bridgeDischarges(WrenchSamples& wrench, const Limits& limits, Eigen:
       rows += discharge->to - discharge->from;
       i = discharge->to;
     }
-    if (static_cast<double>(rows) > kMostShare * static_cast<double>(wrench.rows())) found.resize(before);
+    if (static_cast<double>(rows) > kMostSpikeShare * static_cast<double>(wrench.rows())) found.resize(before);
   }
   if (found.size() < kFewestDischarges) return 0;
   for (const Discharge& d : found)
@@ -189,7 +189,7 @@ std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, const
       if (((near - centre).abs() > std::max(aside * limit, kBack * height)).count() > 2) continue;
       found.emplace_back(i, centre);
     }
-    if (static_cast<double>(found.size()) > kMostShare * static_cast<double>(n)) continue;
+    if (static_cast<double>(found.size()) > kMostSpikeShare * static_cast<double>(n)) continue;
     for (const auto& [i, centre] : found) {
       wrench(i, c) = centre;
       touched[static_cast<std::size_t>(i)] = true;

@@ -33,10 +33,10 @@ double typicalSize(std::vector<double> values) {
 
 /// Standard deviation of means of `n` successive values of the noise.
 double meanStd(const ArModel& noise, Eigen::Index n) {
-  constexpr std::size_t kLongest = 2000;  // Values after which the response to one has died away
+  constexpr std::size_t kLongestResponse = 2000;  // Values after which the response to one has died away
   std::vector<double> response{1.0};
   double sum = 0.0, square = 0.0;
-  for (std::size_t m = 0; m < kLongest; ++m) {
+  for (std::size_t m = 0; m < kLongestResponse; ++m) {
     sum += response[m];
     if (m >= static_cast<std::size_t>(n)) sum -= response[m - static_cast<std::size_t>(n)];
     square += sum * sum;

@@ -106,7 +106,7 @@ struct Tag {
 constexpr std::uint64_t kTag = 8;
 constexpr std::uint32_t kInt8 = 1, kInt32 = 5, kUint32 = 6, kMatrix = 14, kPacked = 15;
 /// No recording nests deeper; the library reads structures in structures by calling itself.
-constexpr int kDeepest = 32;
+constexpr int kDeepestVariable = 32;
 
 /// Bytes of a number by the type of its data element; 0: no numbers.
 std::uint64_t bytesOfNumber(std::uint32_t type) {
@@ -122,7 +122,7 @@ class VariableWalk {
   /// What follows a tag miMATRIX of so many bytes.
   bool matrix(std::uint64_t left, int depth) {
     if (left == 0) return true;  // An empty cell or field
-    if (depth > kDeepest) return false;
+    if (depth > kDeepestVariable) return false;
     std::string data;
     Tag tag;
     if (!element(left, tag, data) || tag.type != kUint32 || data.size() != 8) return false;

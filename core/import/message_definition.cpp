@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint64_t kLongestArray = 256;  ///< Longer arrays are pictures or point clouds, not channels.
 constexpr std::size_t kMostFields = 4096;     ///< Of one message.
-constexpr int kDeepest = 16;
+constexpr int kDeepestMessage = 16;
 
 enum class Scalar { boolean, int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 enum class Kind { scalar, text, time, message };
@@ -278,7 +278,7 @@ Result<MessageDecoder> MessageDecoder::make(std::string_view type, std::string_v
       [&](const std::string& name, int depth) -> std::shared_ptr<const Type> {
     if (const auto found = known.find(name); found != known.end()) return found->second;
     const auto text = texts.find(name);
-    if (text == texts.end() || depth > kDeepest) {
+    if (text == texts.end() || depth > kDeepestMessage) {
       failure = Error{heft::say("The definition of {} lacks {}.", printable(type), printable(name))};
       return nullptr;
     }

@@ -17,8 +17,6 @@ using testing::HasSubstr;
 using ForeignTables = InFolder;
 
 constexpr int kRows = 100;
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-
 /// Rows of the fixtures' formula at 100 Hz: the time as `time` writes it, seven joints, six of the wrench.
 template <class Time>
 std::string rows(Time time, char separator = ',', double jointScale = 1.0) {
@@ -40,8 +38,6 @@ std::string seven(const std::string& form, char separator = ',', int first = 1) 
   for (int j = first; j < first + 7; ++j) out += separator + fmt::format(fmt::runtime(form), j);
   return out;
 }
-
-std::string failureOf(const Result<ReadRecording>& read) { return read.ok() ? std::string() : read.error().message; }
 
 TEST_F(ForeignTables, AUnitTellsWhatAWordOfAnyLanguageMeans) {
   const std::string spanish = ",fuerza_x (N),fuerza_y (N),fuerza_z (N),par_x (Nm),par_y (Nm),par_z (Nm)\n";

@@ -19,8 +19,6 @@ using namespace testing_support;
 using testing::HasSubstr;
 using Spellings = InFolder;
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-
 /// A table of the fixtures' formula, 100 rows at 100 Hz: `header`, then the time as `time` writes it, the joints times
 /// `jointScale` and the wrench times `wrenchScale`.
 template <class Time>

@@ -14,8 +14,6 @@ using Strangers = InFolder;
 const std::vector<std::string> kUr = {"shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint",
                                       "wrist_1_joint",      "wrist_2_joint",       "wrist_3_joint"};
 
-std::string failureOf(const Result<ReadRecording>& read) { return read.ok() ? std::string() : read.error().message; }
-
 /// Positions and velocities of seven joints and a wrench that comes half as often: the first row holds nothing of it.
 TEST_F(Strangers, ARowMayLackMostSeries) {
   std::string text = "__time";
