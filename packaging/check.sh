@@ -7,8 +7,10 @@
 #                                          format: clang-format alone
 #   HEFT_SANITIZERS=address sh packaging/check.sh   heft under sanitizers, too (packaging/sanitize.sh): one more build by Clang;
 #                                          both: two
+#   HEFT_MINUTES=60 sh packaging/check.sh  begins no further build under sanitizers after so many minutes, and says so
 set -eu
 cd "$(dirname "$0")/.."
+began=$(date +%s)
 gui=${HEFT_GUI:-ON}
 jobs=$(nproc)
 
@@ -27,7 +29,9 @@ case ${HEFT_STYLE:-OFF} in
   ON) sh packaging/style.sh || status=$? ;;
   format) sh packaging/style.sh format || status=$? ;;
 esac
-if [ -n "${HEFT_SANITIZERS:-}" ]; then sh packaging/sanitize.sh "$HEFT_SANITIZERS" || status=$?; fi
+if [ -n "${HEFT_SANITIZERS:-}" ]; then
+  HEFT_UNTIL=${HEFT_MINUTES:+$((began + HEFT_MINUTES * 60))} sh packaging/sanitize.sh "$HEFT_SANITIZERS" || status=$?
+fi
 # Whoever called sudo shall be able to go on without it.
 [ -z "${SUDO_UID:-}" ] || chown -R "$SUDO_UID:${SUDO_GID:-$SUDO_UID}" build
 exit "$status"
