@@ -17,7 +17,9 @@ namespace heft::testing_support {
 inline constexpr double kDegree = 3.14159265358979323846 / 180.0;  // [rad]
 
 /// Why a recording could not be read; empty where it could.
-inline std::string failureOf(const Result<ReadRecording>& read) { return read.ok() ? std::string() : read.error().message; }
+inline std::string failureOf(const Result<ReadRecording>& read) {
+  return read.ok() ? std::string() : read.error().message;
+}
 
 inline std::filesystem::path fixture(const std::string& name) {
   return std::filesystem::path(HEFT_SOURCE_DIR) / "tests/data/recordings" / name;
