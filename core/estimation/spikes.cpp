@@ -22,8 +22,8 @@ constexpr Eigen::Index kLevel = 7;              ///< Rows whose median is the le
 constexpr Eigen::Index kLongestDischarge = 24;  ///< Rows of a discharge
 constexpr double kHolds = 0.35;                 ///< Of its height in the second row; a single reading far off is none
 constexpr double kMostSpikeShare = 0.05;        ///< Of a channel's rows; what happens all the time is the signal
-constexpr double kBack =
-    0.15;  ///< Of a spike's or discharge's height: within that it has fallen back, the load having moved on
+/// Of a spike's or discharge's height: within that it has fallen back, the load having moved on.
+constexpr double kBack = 0.15;
 constexpr std::size_t kFewestDischarges = 3;
 
 /// `times` the scatter of one channel, for each `part` rows: that there or beside, and at least the usual one. Empty

@@ -22,7 +22,7 @@ std::string nameOf(Eigen::Index channel) {
 
 /// Near its limit a noisy channel is at it in some rows and below it in others; it is cut off in all of them.
 std::vector<FrozenStretch> cutStretches(const FlatTop& flat, const VectorXd& time) {
-  constexpr double kBetween = 0.04;    // [s]
+  constexpr double kBetween = 0.04;           // [s]
   constexpr Eigen::Index kFewestAtLevel = 3;  // Rows at the level: one or two are there by chance
   std::vector<FrozenStretch> out;
   Eigen::Index atLevel = 0;
