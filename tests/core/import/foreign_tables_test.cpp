@@ -17,6 +17,7 @@ using testing::HasSubstr;
 using ForeignTables = InFolder;
 
 constexpr int kRows = 100;
+
 /// Rows of the fixtures' formula at 100 Hz: the time as `time` writes it, seven joints, six of the wrench.
 template <class Time>
 std::string rows(Time time, char separator = ',', double jointScale = 1.0) {
