@@ -1,4 +1,5 @@
 # Writes FILE with the revision of SOURCE, with a + where files were changed since; only if that is news.
+cmake_policy(VERSION 3.25)
 execute_process(COMMAND git -C ${SOURCE} describe --always --dirty=+ --exclude=* OUTPUT_VARIABLE revision ERROR_QUIET
                 OUTPUT_STRIP_TRAILING_WHITESPACE)
 if(NOT revision)

@@ -7,7 +7,7 @@
 set -eu
 
 core="g++ cmake ninja-build ccache lld pkg-config libeigen3-dev nlohmann-json3-dev libcli11-dev libfmt-dev libceres-dev
-      liburdfdom-dev libassimp-dev libsqlite3-dev libzstd-dev liblz4-dev libbz2-dev zlib1g-dev libhdf5-dev libmatio-dev libmimalloc-dev libboost-dev libfcl-dev libqhull-dev libgtest-dev libgmock-dev
+      liburdfdom-dev libassimp-dev libsqlite3-dev libzstd-dev liblz4-dev libbz2-dev zlib1g-dev libhdf5-dev libmatio-dev libboost-dev libfcl-dev libqhull-dev libgtest-dev libgmock-dev
       libmujoco-dev libsdformat-dev locales
       groff-base dpkg-dev file"
 gui="libvtk9-qt-dev qtbase5-dev qttools5-dev libqt5svg5-dev libqcustomplot-dev xvfb libgl1-mesa-dri fonts-inter

@@ -1,18 +1,14 @@
 #include "core/base/json_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iostream>
-#include <memory>
 #include <system_error>
 
 #include "core/base/file_replacement.h"
+#include "core/base/input_file.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 
@@ -68,21 +64,12 @@ Result<nlohmann::json> parseJson(std::string_view text, const std::string& name)
 
 Result<std::string> readTextFile(const std::filesystem::path& path, std::size_t maxBytes) {
   const auto name = displayName(path);
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) {
-    if (errno == ENOENT) return Error{heft::say("{}: there is no such file.", name)};
-    return Error{heft::say("{} cannot be opened: {}.", name, std::strerror(errno))};
-  }
-  const auto close = [](const int* descriptor) { ::close(*descriptor); };
-  const std::unique_ptr<const int, decltype(close)> guard(&file, close);
-
-  struct stat status {};
-  if (::fstat(file, &status) != 0) return Error{heft::say("{} cannot be read: {}.", name, std::strerror(errno))};
-  if (S_ISDIR(status.st_mode)) return Error{heft::say("{} is a folder, not a file.", name)};
+  const auto file = InputFile::open(path);
+  if (!file) return file.error();
   const auto tooLarge = [&](std::size_t bytes) {
     return Error{heft::say("{} has {} MB; at most {} MB can be read.", name, bytes >> 20, maxBytes >> 20)};
   };
-  const auto size = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
+  const std::size_t size = file->size().value_or(0);
   if (size > maxBytes) return tooLarge(size);
 
   // One byte more than the file's size: the read that meets the end needs no second buffer. Files that state no size
@@ -91,11 +78,10 @@ Result<std::string> readTextFile(const std::filesystem::path& path, std::size_t 
   std::size_t used = 0;
   for (;;) {
     if (used == text.size()) text.resize(std::min(2 * text.size(), maxBytes + 1));
-    const auto got = ::read(file, text.data() + used, text.size() - used);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return Error{heft::say("{} cannot be read: {}.", name, std::strerror(errno))};
-    if (got == 0) break;
-    used += static_cast<std::size_t>(got);
+    const auto got = file->readNext(text.data() + used, text.size() - used);
+    if (!got) return got.error();
+    if (*got == 0) break;
+    used += *got;
     if (used > maxBytes) return Error{heft::say("{} has more than the {} MB that can be read.", name, maxBytes >> 20)};
   }
   text.resize(used);

@@ -33,6 +33,7 @@ template <class Off>
 std::vector<double> limitsBy(const Off& off, Eigen::Index rows, Eigen::Index part, double times) {
   constexpr std::size_t kFewest = 20;
   std::vector<double> all, here, scatter;
+  all.reserve(static_cast<std::size_t>(rows));
   for (Eigen::Index i = 1; i < rows; ++i) {
     if (const double size = std::abs(off(i)); size > 0.0) here.push_back(size);
     if ((i + 1) % part != 0 && i + 1 < rows) continue;
@@ -85,12 +86,11 @@ double medianOf(const WrenchSamples& wrench, int channel, Eigen::Index from) {
   return median(std::vector<double>(rows.data(), rows.data() + kLevel));
 }
 
-/// The discharge whose first row is `i`, if there is one. `limits`: of each channel, in the part that `i` is in.
+/// The discharge whose first row is `i`, where the channel leaps, if there is one. `limits`: of each channel, in the part that `i` is in.
 /// `apart`: rows within which no other channel leaps.
 std::optional<Discharge> dischargeAt(const WrenchSamples& wrench, Eigen::Index i, int channel,
                                      const std::array<double, 6>& limits, Eigen::Index apart) {
   const double limit = limits[static_cast<std::size_t>(channel)], last = wrench(i - 1, channel);
-  if (std::abs(wrench(i, channel) - last) < limit) return {};
   // Where the load moves fast, one step is like those before it.
   constexpr double kSteps = 4.0;
   std::vector<double> steps;
@@ -130,7 +130,9 @@ std::size_t bridgeDischarges(WrenchSamples& wrench, const Limits& limits, Eigen:
   for (int c = 0; c < 6; ++c) {
     Eigen::Index rows = 0;
     const std::size_t before = found.size();
-    for (Eigen::Index i = 3 * kLevel; i + kLevel + 4 < wrench.rows(); ++i) {
+    const auto& own = limits[static_cast<std::size_t>(c)];
+    for (Eigen::Index i = 3 * kLevel; i + kLevel + 4 < wrench.rows() && !own.empty(); ++i) {
+      if (std::abs(wrench(i, c) - wrench(i - 1, c)) < own[static_cast<std::size_t>(i / part)]) continue;
       std::array<double, 6> here{};
       for (std::size_t k = 0; k < 6; ++k)
         here[k] = limits[k].empty() ? 1e300 : limits[k][static_cast<std::size_t>(i / part)];

@@ -314,14 +314,15 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
   const auto text = readTableText(std::move(*bytes), set.file, set.findings);
   const auto header = csv::readHeader(text.text, set.file);
   if (!header) return header.error();
-  const auto rowsAtMost = static_cast<std::size_t>(csv::countRows(*header));
-  if (header->names.size() * rowsAtMost > kMaxStreamNumbers / 4)
+  const auto body = csv::countLines({header->body, header->newline}, *header, set.file);
+  if (!body) return body.error();
+  if (header->names.size() * static_cast<std::size_t>(body->lines()) > kMaxStreamNumbers / 4)
     return errorAt({set.file, 0, 0}, heft::say("the table holds more cells than fit in memory."),
                    heft::say("Export fewer columns or a shorter segment."));
   std::vector<std::vector<std::string>> cells(header->names.size());
   std::vector<csv::Field> fields(header->names.size());
   for (std::size_t f = 0; f < fields.size(); ++f) fields[f].text = &cells[f];
-  const auto rows = csv::readRows(*header, fields, set.file, progress);
+  const auto rows = csv::readRows(*header, *body, fields, set.file, progress);
   if (!rows) return rows.error();
   if (rows->cutLine > 0)
     set.findings.push_back({Severity::warning,

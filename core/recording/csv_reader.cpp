@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
+#include <memory>
 #include <optional>
 
+#include "core/base/input_file.h"
 #include "core/base/json_file.h"
 #include "core/base/remedy.h"
 #include "core/base/say.h"
@@ -15,6 +16,7 @@
 #include "core/recording/csv_table.h"
 #include "core/recording/missing.h"
 #include "core/recording/number.h"
+#include "core/recording/text_blocks.h"
 
 namespace heft {
 
@@ -32,32 +34,29 @@ struct Missing {
 
 class RecordingParser {
  public:
-  /// `passing`: as of csv::Header.
-  RecordingParser(std::string_view csv, const std::string& name, RecordingMeta meta, bool passing = false)
-      : csv_(csv), name_(name), passing_(passing) {
+  RecordingParser(csv::Header header, TextBlocks body, const std::string& name, RecordingMeta meta)
+      : header_(std::move(header)), text_(std::move(body)), name_(name) {
     recording_.file = name;
     recording_.meta = std::move(meta);
   }
 
   Result<ReadRecording> parse(const Progress& progress) {
-    auto header = csv::readHeader(csv_, name_);
-    if (!header) return header.error();
-    header_ = std::move(*header);
-    header_.passing = passing_;
     auto map = mapColumns(header_.names, recording_.meta, {name_, header_.line, 0}, findings_);
     if (!map) return map.error();
     map_ = std::move(*map);
     const Examined examined{recording_, map_, name_, lines_, findings_};
     if (auto failure = assumeRobot(examined, header_.line)) return *failure;
 
-    const auto lineCount = csv::countRows(header_);
+    const auto body = csv::countLines(std::move(text_), header_, name_);
+    if (!body) return body.error();
+    const Eigen::Index lineCount = body->lines();
     if (const auto columns = header_.names.size(); columns * static_cast<std::size_t>(lineCount) > kMaxNumbers)
       return errorAt({name_, 0, 0},
                      heft::say("{} rows of {} columns exceed the {} million numbers that fit in memory.", lineCount,
                                columns, kMaxNumbers / 1'000'000),
                      heft::say("Split the recording, or keep fewer columns and a lower rate."));
     prepareFields(lineCount);
-    auto rows = csv::readRows(header_, fields_, name_, progress);
+    auto rows = csv::readRows(header_, *body, fields_, name_, progress);
     if (!rows) return rows.error();
     lines_ = std::move(rows->lines);
     if (rows->cutLine > 0)
@@ -283,12 +282,11 @@ class RecordingParser {
     labelCells_.clear();
   }
 
-  const std::string_view csv_;
+  const csv::Header header_;
+  TextBlocks text_;
   const std::string& name_;
-  const bool passing_;
   Recording recording_;
   Findings findings_;
-  csv::Header header_;
   ColumnMap map_;
   std::vector<csv::Field> fields_;
   std::vector<std::uint32_t> lines_;
@@ -299,7 +297,10 @@ class RecordingParser {
 
 Result<ReadRecording> parseRecording(std::string_view csv, const std::string& name, RecordingMeta meta,
                                      const Progress& progress) {
-  return RecordingParser(csv, name, std::move(meta)).parse(progress);
+  auto header = csv::readHeader(csv, name);
+  if (!header) return header.error();
+  TextBlocks body(header->body, header->newline);
+  return RecordingParser(std::move(*header), std::move(body), name, std::move(meta)).parse(progress);
 }
 
 std::optional<Error> contractMisfit(std::string_view head, const std::string& name, const RecordingMeta& meta) {
@@ -380,17 +381,38 @@ Result<ReadRecording> checkRecording(Recording recording, NumberForm form) {
 
 namespace {
 
-/// Why a long file is no table at all, as its beginning shows: gigabytes of something else are not read for that.
-std::optional<Error> noTable(const std::filesystem::path& csv, const std::string& name) {
-  constexpr std::size_t kHead = std::size_t{4} << 20;  // Several times the longest header
-  std::error_code ec;
-  if (const auto size = std::filesystem::file_size(csv, ec); ec || size <= kHead) return std::nullopt;
-  std::string head(kHead, '\0');
-  std::ifstream file(csv, std::ios::binary);
-  if (!file.read(head.data(), static_cast<std::streamsize>(kHead)))
-    return std::nullopt;  // Read as a whole, it says why
-  const auto header = csv::readHeader(head, name);
-  return header ? std::nullopt : std::optional(header.error());
+/// A file's header and what follows it.
+struct OpenTable {
+  std::unique_ptr<std::string> head;  ///< The header's `body` points into it.
+  csv::Header header;
+  TextBlocks body;
+};
+
+/// Only the beginning of a file is looked at: gigabytes of something else are not read. What states no size (a pipe) is
+/// read as a whole.
+Result<OpenTable> openTable(const std::filesystem::path& csv, const std::string& name) {
+  constexpr std::uint64_t kHead = std::uint64_t{4} << 20;  // Several times the longest header
+  auto file = InputFile::open(csv);
+  if (!file) return file.error();
+  const std::uint64_t size = file->size().value_or(0);
+  OpenTable out{std::make_unique<std::string>(), {}, TextBlocks({}, '\n')};
+  if (size > 0) {
+    out.head->resize(static_cast<std::size_t>(std::min(size, kHead)));
+    const auto got = file->readAt(0, out.head->data(), out.head->size());
+    if (!got) return got.error();
+    out.head->resize(*got);
+  } else {
+    auto text = readTextFile(csv, kMaxRecordingBytes);
+    if (!text) return text.error();
+    *out.head = std::move(*text);
+  }
+  auto header = csv::readHeader(*out.head, name);
+  if (!header) return header.error();
+  out.header = std::move(*header);
+  const std::string_view& body = out.header.body;
+  const auto bodyAt = body.empty() ? out.head->size() : static_cast<std::size_t>(body.data() - out.head->data());
+  out.body = size > 0 ? TextBlocks(std::move(*file), bodyAt, out.header.newline) : TextBlocks(body, out.header.newline);
+  return out;
 }
 
 }  // namespace
@@ -412,9 +434,8 @@ Result<ReadRecording> readRecording(const std::filesystem::path& csv, const Read
         heft::say("the file has {} MB; recordings of up to {} MB are read.", size >> 20, kMaxRecordingBytes >> 20),
         heft::say("Split it, or keep fewer columns and a lower rate."));
   progress(0.0, "reading");
-  if (auto misfit = noTable(csv, name)) return *misfit;
-  auto text = readTextFile(csv, kMaxRecordingBytes);
-  if (!text) return text.error();
+  auto table = openTable(csv, name);
+  if (!table) return table.error();
 
   Findings findings;
   RecordingMeta meta;
@@ -434,8 +455,7 @@ Result<ReadRecording> readRecording(const std::filesystem::path& csv, const Read
     meta = std::move(*read);
   }
   if (!options.robot.empty()) meta.robot = options.robot;
-  // An hour's text is a gigabyte: its pages go as those of the numbers come.
-  auto result = RecordingParser(*text, name, std::move(meta), true).parse(progress);
+  auto result = RecordingParser(std::move(table->header), std::move(table->body), name, std::move(meta)).parse(progress);
   if (result) result->findings.insert(result->findings.begin(), findings.begin(), findings.end());
   return result;
 }

@@ -1,15 +1,13 @@
 #include "core/recording/csv_table.h"
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
+#include <iterator>
 #include <limits>
 #include <optional>
 
+#include "core/base/parallel.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/recording/number.h"
@@ -144,49 +142,64 @@ Error notANumber(std::string_view cell, const Header& header, std::size_t field,
                  remedy);
 }
 
-/// Reads the body once from its start to its end.
+/// Blocks that are read before progress is told of and the user is asked whether to go on.
+constexpr std::size_t kBlocksAtOnce = 32;
+
+Error zeroByte(std::uint64_t at, long line, const std::string& file) {
+  return errorAt({file, line, 0}, heft::say("this is a binary or damaged file (byte {} is zero), not CSV.", at + 1),
+                 heft::say("Export the recording as CSV text."));
+}
+
+/// What was read of one block. Its numbers stand in the rows that its lines would fill if none were blank.
+struct BlockRows {
+  Rows rows;  ///< `firstBlankLine` also where no row follows.
+  std::vector<Field> fields;
+  std::vector<std::vector<std::string>> texts;  ///< One for each field, used by those of text
+  std::optional<Error> failure;
+};
+
+/// Reads one block from its start to its end.
 class RowReader {
  public:
-  RowReader(const Header& header, std::vector<Field>& fields, const std::string& file)
+  /// `fields`: as of the whole table. `line` and `row`: of the block's first line. `most`: lines that were counted here.
+  RowReader(const Header& header, const std::vector<Field>& fields, const std::string& file, std::string_view lines,
+            long line, Eigen::Index row, Eigen::Index most)
       : header_(header),
-        fields_(fields),
         file_(file),
         separator_(header.separator),
         newline_(header.newline),
-        at_(header.body.data()),
-        kept_(at_),
-        end_(at_ + header.body.size()) {}
+        at_(lines.data()),
+        end_(at_ + lines.size()),
+        line_(line),
+        most_(static_cast<std::size_t>(most)),
+        fields_(read_.fields),
+        rows_(read_.rows) {
+    read_.texts.resize(fields.size());
+    for (std::size_t f = 0; f < fields.size(); ++f)
+      fields_.push_back({fields[f].numbers ? fields[f].numbers + row : nullptr,
+                         fields[f].text ? &read_.texts[f] : nullptr});
+    rows_.lines.reserve(most_);
+  }
 
-  Result<Rows> read(const Progress& progress) {
-    long blankLine = 0;
-    for (line_ = header_.line + 1; at_ != end_; ++line_) {
+  BlockRows read() {
+    for (; at_ != end_; ++line_) {
       skipBlanks();
       if (at_ == end_) break;
       if (*at_ == newline_) {
-        if (blankLine == 0) blankLine = line_;
+        if (rows_.firstBlankLine == 0) rows_.firstBlankLine = line_;
         ++at_;
         continue;
       }
-      if (blankLine != 0 && rows_.firstBlankLine == 0) rows_.firstBlankLine = blankLine;
-      if (auto failure = readRow()) return *failure;
-      if (rows_.lines.size() % 65536 == 65535) {
-        if (header_.passing) giveBack();
-        if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
-        progress(static_cast<double>(at_ - header_.body.data()) / static_cast<double>(header_.body.size()), "reading");
-      }
+      read_.failure = rows_.lines.size() < most_ ? readRow() : changedMeanwhile();
+      if (read_.failure) break;
     }
-    return std::move(rows_);
+    return std::move(read_);
   }
 
  private:
-  /// To the system, the pages that were read since.
-  void giveBack() {
-    static const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-    const char* const from = kept_ + (page - reinterpret_cast<std::uintptr_t>(kept_) % page) % page;
-    const char* const to = at_ - reinterpret_cast<std::uintptr_t>(at_) % page;
-    if (to <= from) return;
-    ::madvise(const_cast<char*>(from), static_cast<std::size_t>(to - from), MADV_DONTNEED);
-    kept_ = at_;
+  Error changedMeanwhile() const {
+    return errorAt({file_, line_, 0}, heft::say("the file changed while it was read."),
+                   heft::say("Read it again once it is complete."));
   }
 
   void skipBlanks() {
@@ -213,7 +226,7 @@ class RowReader {
       }
       if (at_ == end_) {  // the recorder was stopped in the middle of a line
         rows_.cutLine = line_;
-        for (auto& each : fields_)
+        for (const auto& each : fields_)
           if (each.text != nullptr) each.text->resize(row);
         return std::nullopt;
       }
@@ -271,14 +284,49 @@ class RowReader {
   }
 
   const Header& header_;
-  std::vector<Field>& fields_;
   const std::string& file_;
   const char separator_;
   const char newline_;
   const char* at_;
-  const char* kept_;  ///< What stands before may have been given back.
   const char* const end_;
-  long line_ = 0;
+  long line_;
+  const std::size_t most_;
+  BlockRows read_;
+  std::vector<Field>& fields_;
+  Rows& rows_;
+};
+
+/// Puts the rows of one block after another together.
+class RowJoiner {
+ public:
+  RowJoiner(std::vector<Field>& fields, Eigen::Index lines) : fields_(fields) {
+    rows_.lines.reserve(static_cast<std::size_t>(lines));
+  }
+
+  /// `from`: the row in which the block's numbers begin.
+  void add(BlockRows block, Eigen::Index from) {
+    const auto count = static_cast<Eigen::Index>(block.rows.lines.size());
+    const auto to = static_cast<Eigen::Index>(rows_.lines.size());
+    for (std::size_t f = 0; f < fields_.size(); ++f) {
+      Field& field = fields_[f];
+      if (field.numbers && from != to) std::copy_n(field.numbers + from, count, field.numbers + to);
+      if (field.text) std::move(block.texts[f].begin(), block.texts[f].end(), std::back_inserter(*field.text));
+      if (field.missing == 0) field.firstMissingLine = block.fields[f].firstMissingLine;
+      field.missing += block.fields[f].missing;
+    }
+    rows_.lines.insert(rows_.lines.end(), block.rows.lines.begin(), block.rows.lines.end());
+    if (rows_.firstBlankLine == 0) rows_.firstBlankLine = block.rows.firstBlankLine;
+    rows_.cutLine = block.rows.cutLine;
+  }
+
+  Rows finish() {
+    const long last = rows_.cutLine > 0 || rows_.lines.empty() ? rows_.cutLine : static_cast<long>(rows_.lines.back());
+    if (rows_.firstBlankLine > last) rows_.firstBlankLine = 0;  // Blank lines at the end are none between rows.
+    return std::move(rows_);
+  }
+
+ private:
+  std::vector<Field>& fields_;
   Rows rows_;
 };
 
@@ -289,11 +337,8 @@ Result<Header> readHeader(std::string_view text, const std::string& file) {
       heft::say("A recording starts with a row of column names, followed by one row per sample.");
   if (text.empty()) return errorAt({file, 0, 0}, heft::say("the file is empty."), remedy);
   if (auto other = otherFormat(text, file)) return *other;
-  if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n');
-    return errorAt({file, line, 0}, heft::say("this is a binary or damaged file (byte {} is zero), not CSV.", nul + 1),
-                   heft::say("Export the recording as CSV text."));
-  }
+  if (const auto nul = text.find('\0'); nul != std::string_view::npos)
+    return zeroByte(nul, 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n'), file);
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
 
   Header header;
@@ -324,21 +369,62 @@ Result<Header> readHeader(std::string_view text, const std::string& file) {
   return header;
 }
 
-Eigen::Index countRows(const Header& header) {
-  Eigen::Index rows = 0;
-  const char* at = header.body.data();
-  const char* const end = at + header.body.size();
-  while (at != end) {
-    const auto* stop = static_cast<const char*>(std::memchr(at, header.newline, static_cast<std::size_t>(end - at)));
-    ++rows;
-    at = stop == nullptr ? end : stop + 1;
+Result<Body> countLines(TextBlocks blocks, const Header& header, const std::string& file) {
+  struct Counted {
+    Eigen::Index lines = 0;
+    std::optional<std::uint64_t> zero;  ///< Place of the first zero byte
+    std::optional<Error> failure;
+  };
+  std::vector<Counted> counted(blocks.count());
+  parallelFor(counted.size(), [&](std::size_t i) {
+    std::string room;
+    const auto block = blocks.block(i, room);
+    if (!block) {
+      counted[i].failure = block.error();
+      return;
+    }
+    std::string_view lines = block->lines;
+    if (const auto zero = lines.find('\0'); zero != std::string_view::npos) {
+      counted[i].zero = block->at + zero;
+      lines = lines.substr(0, zero);
+    }
+    counted[i].lines = std::count(lines.begin(), lines.end(), header.newline);
+    if (!lines.empty() && lines.back() != header.newline) ++counted[i].lines;
+  });
+  Body body{std::move(blocks), {0}};
+  for (const Counted& each : counted) {
+    if (each.failure) return *each.failure;
+    body.linesBefore.push_back(body.lines() + each.lines);
+    if (each.zero) return zeroByte(*each.zero, header.line + std::max<long>(1, body.lines()), file);
   }
-  return rows;
+  return body;
 }
 
-Result<Rows> readRows(const Header& header, std::vector<Field>& fields, const std::string& file,
+Result<Rows> readRows(const Header& header, const Body& body, std::vector<Field>& fields, const std::string& file,
                       const Progress& progress) {
-  return RowReader(header, fields, file).read(progress);
+  RowJoiner joiner(fields, body.lines());
+  const std::size_t count = body.blocks.count();
+  for (std::size_t first = 0; first < count; first += kBlocksAtOnce) {
+    if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
+    progress(static_cast<double>(first) / static_cast<double>(count), "reading");
+    std::vector<BlockRows> read(std::min(kBlocksAtOnce, count - first));
+    parallelFor(read.size(), [&](std::size_t i) {
+      const Eigen::Index before = body.linesBefore[first + i];
+      std::string room;
+      const auto block = body.blocks.block(first + i, room);
+      if (block)
+        read[i] = RowReader(header, fields, file, block->lines, header.line + 1 + before, before,
+                            body.linesBefore[first + i + 1] - before)
+                      .read();
+      else
+        read[i].failure = block.error();
+    });
+    for (std::size_t i = 0; i < read.size(); ++i) {
+      if (read[i].failure) return *read[i].failure;
+      joiner.add(std::move(read[i]), body.linesBefore[first + i]);
+    }
+  }
+  return joiner.finish();
 }
 
 }  // namespace heft::csv

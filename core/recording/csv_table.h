@@ -12,6 +12,7 @@
 #include "core/base/findings.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/recording/text_blocks.h"
 
 namespace heft::csv {
 
@@ -21,18 +22,26 @@ struct Header {
   long line = 1;                   ///< Where the header stands.
   std::vector<std::string> names;  ///< Without quotes and outer blanks; as many as a row has cells.
   std::string_view body;           ///< All that follows the header's line.
-  bool passing = false;            ///< Nobody looks at the body again: its memory is given back as rows are read.
 };
 
 /// Finds header and separator; fails for what is no text table at all (empty, binary, a known other format, no header).
+/// `text` may be the beginning of a long one.
 Result<Header> readHeader(std::string_view text, const std::string& file);
 
-/// Upper bound of the number of rows in the body.
-Eigen::Index countRows(const Header& header);
+/// What follows the header, with the number of lines before each block and in all: upper bounds of those of rows.
+struct Body {
+  TextBlocks blocks;
+  std::vector<Eigen::Index> linesBefore;  ///< One more than there are blocks
+
+  Eigen::Index lines() const { return linesBefore.back(); }
+};
+
+/// Counts the lines on both cores. Fails for a zero byte, as a text has none, and where a file cannot be read.
+Result<Body> countLines(TextBlocks blocks, const Header& header, const std::string& file);
 
 /// What becomes of one field of every row.
 struct Field {
-  double* numbers = nullptr;                 ///< Room for countRows() numbers; blank or non-finite cells become NaN.
+  double* numbers = nullptr;                 ///< Room for as many numbers as there are lines; blank or non-finite cells become NaN.
   std::vector<std::string>* text = nullptr;  ///< Cells without quotes and outer blanks are appended.
   Eigen::Index missing = 0;                  ///< Result: how many numbers are NaN.
   long firstMissingLine = 0;                 ///< Result.
@@ -44,8 +53,9 @@ struct Rows {
   long firstBlankLine = 0;           ///< A blank line between rows; 0 = none.
 };
 
-/// Reads all rows. Fails at the first cell that is no number where one is needed, or row of a wrong length.
-Result<Rows> readRows(const Header& header, std::vector<Field>& fields, const std::string& file,
+/// Reads all rows, on both cores. Fails at the first cell that is no number where one is needed, or row of a wrong
+/// length.
+Result<Rows> readRows(const Header& header, const Body& body, std::vector<Field>& fields, const std::string& file,
                       const Progress& progress);
 
 }  // namespace heft::csv

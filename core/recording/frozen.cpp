@@ -3,26 +3,54 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/math/statistics.h"
+#include "core/base/parallel.h"
 
 namespace heft {
 
-Changes changesOf(const Eigen::Ref<const MatrixXd>& values) {
+namespace {
+
+Changes changesOfColumn(const Eigen::Ref<const VectorXd>& values) {
   constexpr double kOneStep = 1.5;  // Resolutions: between one step and two
-  Changes changes(static_cast<std::size_t>(values.rows()), 0);
-  for (Eigen::Index c = 0; c < values.cols(); ++c) {
-    constexpr double kNone = std::numeric_limits<double>::infinity();
-    const Eigen::Index steps = std::max<Eigen::Index>(0, values.rows() - 1);
-    const Eigen::ArrayXd sizes = (values.col(c).tail(steps) - values.col(c).head(steps)).cwiseAbs();
-    const double resolution = steps > 0 ? (sizes > 0.0).select(sizes, kNone).minCoeff() : kNone;
-    for (Eigen::Index k = 0; k < steps; ++k) {
-      const char change = sizes(k) > kOneStep * resolution ? 2 : sizes(k) != 0.0 ? 1 : 0;
-      auto& most = changes[static_cast<std::size_t>(k + 1)];
-      most = std::max(most, change);
-    }
+  const Eigen::Index steps = std::max<Eigen::Index>(0, values.size() - 1);
+  const auto sizes = (values.tail(steps) - values.head(steps)).array().abs();
+  double resolution = std::numeric_limits<double>::infinity();
+  for (Eigen::Index k = 0; k < steps; ++k)
+    if (const double size = sizes.coeff(k); size > 0.0) resolution = std::min(resolution, size);
+  Changes changes(static_cast<std::size_t>(values.size()), 1);
+  for (Eigen::Index k = 0; k < steps; ++k) {
+    const double size = sizes.coeff(k);
+    changes[static_cast<std::size_t>(k + 1)] = size > kOneStep * resolution ? 2 : size != 0.0 ? 1 : 0;
   }
-  if (!changes.empty()) changes[0] = 1;
   return changes;
+}
+
+}  // namespace
+
+std::vector<Changes> changesOfEach(const Eigen::Ref<const MatrixXd>& values) {
+  std::vector<Changes> out(static_cast<std::size_t>(values.cols()));
+  parallelFor(out.size(), [&](std::size_t c) { out[c] = changesOfColumn(values.col(static_cast<Eigen::Index>(c))); });
+  return out;
+}
+
+Changes ofAny(const std::vector<Changes>& columns) {
+  if (columns.empty()) return {};
+  Changes out = columns.front();
+  for (const Changes& each : columns)
+    std::ranges::transform(out, each, out.begin(), [](char a, char b) { return std::max(a, b); });
+  return out;
+}
+
+Changes changesOf(const Eigen::Ref<const MatrixXd>& values) { return ofAny(changesOfEach(values)); }
+
+bool everChanges(const Eigen::Ref<const MatrixXd>& values) {
+  for (Eigen::Index c = 0; c < values.cols(); ++c)
+    for (Eigen::Index k = 1; k < values.rows(); ++k)
+      if (values(k, c) != values(k - 1, c)) return true;
+  return false;
+}
+
+bool everChanges(const Changes& changes) {
+  return !changes.empty() && std::any_of(changes.begin() + 1, changes.end(), [](char change) { return change != 0; });
 }
 
 bool inSingleSteps(const Changes& changes) {
@@ -66,26 +94,40 @@ std::vector<FrozenStretch> hungPostures(const VectorXd& time, const Eigen::Ref<c
   constexpr double kShortest = 0.1;  // [s]
   constexpr double kLeap = 10.0;     // Over what nine of ten steps stay below
   const Changes changes = changesOf(postures);
+  std::vector<FrozenStretch> out = frozenStretches(time, changes, kShortest);
+  std::erase_if(out, [&](const FrozenStretch& stretch) { return stretch.to >= postures.rows(); });
+  if (out.empty()) return out;
+  const auto stepTo = [&](Eigen::Index k) { return (postures.row(k) - postures.row(k - 1)).norm(); };
   std::vector<double> steps;
   for (Eigen::Index k = 1; k < postures.rows(); ++k)
-    if (changes[static_cast<std::size_t>(k)] != 0) steps.push_back((postures.row(k) - postures.row(k - 1)).norm());
-  std::vector<FrozenStretch> out;
-  if (steps.empty()) return out;
+    if (changes[static_cast<std::size_t>(k)] != 0) steps.push_back(stepTo(k));
   const auto ninth = steps.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(steps.size() - 1));
   std::nth_element(steps.begin(), ninth, steps.end());
-  for (const auto& stretch : frozenStretches(time, changes, kShortest))
-    if (stretch.to < postures.rows() &&
-        (postures.row(stretch.to) - postures.row(stretch.to - 1)).norm() > kLeap * *ninth)
-      out.push_back(stretch);
+  std::erase_if(out, [&](const FrozenStretch& stretch) { return stepTo(stretch.to) <= kLeap * *ninth; });
   return out;
 }
+
+namespace {
+
+/// The value of more than half of the readings, if any has so many (Boyer and Moore 1991).
+double majorityOf(const Eigen::Ref<const VectorXd>& readings) {
+  double value = 0.0;
+  Eigen::Index ahead = 0;
+  for (const double reading : readings) {
+    if (ahead == 0) value = reading;
+    ahead += reading == value ? 1 : -1;
+  }
+  return value;
+}
+
+}  // namespace
 
 std::array<bool, 6> silentChannels(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench) {
   constexpr double kHardlyElse = 0.9;
   std::array<bool, 6> out{};
   for (Eigen::Index c = 0; c < 6 && wrench.rows() > 0; ++c) {
     const auto y = wrench.col(c);
-    const auto same = (y.array() == median({y.begin(), y.end()})).count();
+    const auto same = (y.array() == majorityOf(y)).count();
     out[static_cast<std::size_t>(c)] = static_cast<double>(same) > kHardlyElse * static_cast<double>(y.size());
   }
   return out;

@@ -10,8 +10,18 @@ namespace heft {
 /// By row: 0 the same as the row before, 1 one value changed by a step of its resolution (or is the first), 2 by more.
 using Changes = std::vector<char>;
 
-/// How each row differs from the row before, over all columns. A column's resolution is its smallest change.
+/// How each row of a column differs from the row before. Its resolution is the smallest change.
+std::vector<Changes> changesOfEach(const Eigen::Ref<const MatrixXd>& values);
+
+/// The largest of all columns, row by row.
+Changes ofAny(const std::vector<Changes>& columns);
+
+/// Over all columns.
 Changes changesOf(const Eigen::Ref<const MatrixXd>& values);
+
+/// Whether any row differs from the row before.
+bool everChanges(const Eigen::Ref<const MatrixXd>& values);
+bool everChanges(const Changes& changes);
 
 /// Whether nine of ten changes are a single step, as where the steps are coarser than the noise.
 bool inSingleSteps(const Changes& changes);

@@ -11,11 +11,6 @@ namespace heft {
 
 namespace {
 
-bool everChanges(const Changes& changes) {
-  return countIn(changes, std::min<Eigen::Index>(1, static_cast<Eigen::Index>(changes.size())),
-                 static_cast<Eigen::Index>(changes.size())) > 0;
-}
-
 struct Channel {
   Role role;
   int index;
@@ -31,14 +26,15 @@ class SignalChecker {
 
   void run() {
     if (rows_ < 3) return;
-    wrenchChanges_ = changesOf(recording_.wrench);
+    std::vector<Changes> wrench = changesOfEach(recording_.wrench);
+    wrenchChanges_ = ofAny(wrench);
     motionChanges_.assign(static_cast<std::size_t>(rows_), 0);
     mergeMotion(recording_.q);
     mergeMotion(recording_.quaternion);
     mergeMotion(recording_.position);
     for (int c = 0; c < 6; ++c)
-      wrench_.push_back(
-          {Role::wrench, c, examined_.map.wrench[static_cast<std::size_t>(c)], changesOf(recording_.wrench.col(c))});
+      wrench_.push_back({Role::wrench, c, examined_.map.wrench[static_cast<std::size_t>(c)],
+                         std::move(wrench[static_cast<std::size_t>(c)])});
     if (noteFrozenChannels() || recording_.meta.kind == RecordingKind::poses) return;
     noteRepeats();
     noteFrozenWrench();
@@ -80,7 +76,7 @@ class SignalChecker {
                    recording_.q.col(j));
     if (recording_.dq.rows() > 0)
       for (Eigen::Index j = 0; j < recording_.dq.cols(); ++j)
-        if (everChanges(changesOf(recording_.q.col(j))))
+        if (everChanges(recording_.q.col(j)))
           noteIfFrozen(Role::jointVelocity, static_cast<int>(j), examined_.map.velocities[static_cast<std::size_t>(j)],
                        recording_.dq.col(j));
     noteGroup("qx, qy, qz, qw", examined_.map.quaternion[0], recording_.quaternion);
@@ -92,11 +88,11 @@ class SignalChecker {
 
   template <class Column>
   void noteIfFrozen(Role role, int index, long field, const Column& values) {
-    if (!everChanges(changesOf(values))) noteFrozen(columnName(role, index), field, values(0));
+    if (!everChanges(values)) noteFrozen(columnName(role, index), field, values(0));
   }
   template <class Matrix>
   void noteGroup(const char* names, long field, const Matrix& values) {
-    if (values.rows() == 0 || everChanges(changesOf(values))) return;
+    if (values.rows() == 0 || everChanges(values)) return;
     examined_.note(Severity::warning, "channel_frozen", examined_.column(field),
                    heft::say("{} never change while others do.", names), heft::say("Check that they were logged."));
   }
@@ -215,6 +211,9 @@ class SignalChecker {
     const auto force = recording_.wrench.leftCols<3>();
     const double start = force.topRows(count).colwise().mean().norm();
     constexpr double kSpikes = 0.01;  // Share of the rows at either end that may be spikes
+    constexpr double kNearNothing = 0.02;  // Of the range
+    // Spikes only widen the range: where even so it is too narrow, they need not be found.
+    if (start > kNearNothing * (force.colwise().maxCoeff() - force.colwise().minCoeff()).norm()) return;
     double squares = 0.0;
     for (Eigen::Index c = 0; c < 3; ++c) {
       VectorXd y = force.col(c);
@@ -225,7 +224,7 @@ class SignalChecker {
       squares += std::pow(y(rows_ - 1 - beyond) - low, 2);
     }
     const double range = std::sqrt(squares);
-    if (range < 2.0 || start > 0.02 * range) return;
+    if (range < 2.0 || start > kNearNothing * range) return;
     examined_.note(Severity::info, "wrench_tared", examined_.column(examined_.map.wrench[0]),
                    heft::say("The force starts at {:.2g} N and later spans {:.3g} N: the sensor was probably zeroed "
                              "with the payload on.",

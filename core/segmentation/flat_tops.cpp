@@ -43,21 +43,26 @@ struct Level {
   Eigen::Index count;
 };
 
-/// The values from that end on which `further` puts last, level by level: as far as spikes may lie, and the neighbours
-/// of what comes next. Only those are sorted.
+/// The values from that end on which `further` puts first, level by level: as far as spikes may lie, and the neighbours
+/// of what comes next. Only those are sorted, so `values` change their order.
 template <class Further>
-std::vector<Level> levelsFromEnd(std::vector<double> values, const Further& further) {
+std::vector<Level> levelsFromEnd(std::vector<double>& values, const Further& further) {
   const double spikes = kBeyond * static_cast<double>(values.size());
   std::vector<Level> out;
   double taken = 0.0;
   stopPoint();
   std::size_t neighbours = kNeighbours;
-  std::make_heap(values.begin(), values.end(), further);
-  for (; !values.empty(); values.pop_back(), taken += 1.0) {
-    std::pop_heap(values.begin(), values.end(), further);
-    if (out.empty() || out.back().value != values.back()) {
+  auto sorted = values.begin();
+  for (auto at = values.begin(); at != values.end(); ++at, taken += 1.0) {
+    if (at == sorted) {  // As many again, and at first what may be spikes
+      const auto more = std::max<std::ptrdiff_t>(sorted - values.begin(), static_cast<std::ptrdiff_t>(spikes) + 100);
+      sorted = values.end() - at > more ? at + more : values.end();
+      std::nth_element(at, sorted, values.end(), further);
+      std::sort(at, sorted, further);
+    }
+    if (out.empty() || out.back().value != *at) {
       if (taken > spikes && neighbours-- == 0) break;
-      out.push_back({values.back(), 0});
+      out.push_back({*at, 0});
     }
     ++out.back().count;
   }
@@ -95,7 +100,8 @@ std::vector<FlatTop> flatTopsOf(int channel, const Eigen::Ref<const Eigen::Vecto
   for (const Eigen::Index i : fresh) values.push_back(y(i));
   if (hasFewLevels(values)) return out;
   std::vector<double> ends;
-  for (const auto& levels : {levelsFromEnd(values, std::less<>{}), levelsFromEnd(values, std::greater<>{})})
+  std::vector<double> sorted = values;
+  for (const auto& levels : {levelsFromEnd(sorted, std::greater<>{}), levelsFromEnd(sorted, std::less<>{})})
     if (const auto at = pileAt(levels, static_cast<Eigen::Index>(fresh.size())); at >= 0)
       ends.push_back(levels[static_cast<std::size_t>(at)].value);
   // Both ends at once is where a channel stands that hardly changes.

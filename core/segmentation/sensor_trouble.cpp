@@ -44,11 +44,10 @@ std::vector<FrozenStretch> cutStretches(const FlatTop& flat, const VectorXd& tim
 
 void addGaps(const VectorXd& time, std::vector<Trouble>& out) {
   constexpr double kSteps = 1.75;  // A row is missing, which a step that only jitters does not look like.
-  std::vector<double> steps;
-  for (Eigen::Index k = 1; k < time.size(); ++k) steps.push_back(time(k) - time(k - 1));
-  const double usual = median(steps);
+  const VectorXd steps = time.tail(time.size() - 1) - time.head(time.size() - 1);
+  const double usual = median({steps.begin(), steps.end()});
   for (Eigen::Index k = 1; k < time.size(); ++k)
-    if (steps[static_cast<std::size_t>(k - 1)] > std::max(kSteps * usual, kGapLeftOut))
+    if (steps(k - 1) > std::max(kSteps * usual, kGapLeftOut))
       out.push_back({time(k - 1), time(k), heft::say("Nothing was recorded here.")});
 }
 
@@ -64,7 +63,7 @@ void addLeaps(const Recording& recording, std::vector<Trouble>& out) {
       out.push_back({from, to, reason});
   };
   for (const FrozenStretch& hung :
-       hungPostures(time, recording.hasOrientation() ? MatrixXd(recording.quaternion) : recording.q))
+       recording.hasOrientation() ? hungPostures(time, recording.quaternion) : hungPostures(time, recording.q))
     if (hung.length() < time.size())
       add(time(hung.from), time(hung.to - 1),
           heft::say("The posture is frozen here and jumps afterwards: the robot sent nothing new."));
@@ -88,11 +87,8 @@ std::vector<Trouble> sensorTrouble(const Recording& recording, const std::vector
   const auto add = [&](const FrozenStretch& stretch, const std::string& reason) {
     if (stretch.length() < wrench.rows()) out.push_back({time(stretch.from), time(stretch.to - 1), reason});
   };
-  std::array<Changes, 6> each;
-  parallelFor(6, [&](std::size_t c) { each[c] = changesOf(wrench.col(static_cast<Eigen::Index>(c))); });
-  Changes changes = each[0];
-  for (const Changes& of : each)
-    std::ranges::transform(changes, of, changes.begin(), [](char a, char b) { return std::max(a, b); });
+  const std::vector<Changes> each = changesOfEach(wrench);
+  const Changes changes = ofAny(each);
   for (const FrozenStretch& hung : frozenStretches(time, changes, kShortest))
     add(hung, heft::say("Sensor values frozen: no new data."));
   const auto silent = silentChannels(wrench);

@@ -71,10 +71,11 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording
 std::optional<FrozenChannel> frozenChannel(const Recording& recording, const std::vector<FlatTop>& tops,
                                            const Vector6d& steps) {
   std::optional<FrozenChannel> out;
-  const Changes rows = changesOf(recording.wrench);
+  const std::vector<Changes> each = changesOfEach(recording.wrench);
+  const Changes rows = ofAny(each);
   for (Eigen::Index c = 0; c < 6; ++c) {
     if (steps.segment<3>(c < 3 ? 0 : 3).maxCoeff() > 0.0) continue;
-    for (const FrozenStretch& still : frozenStretches(recording.time, changesOf(recording.wrench.col(c)), kEvent)) {
+    for (const FrozenStretch& still : frozenStretches(recording.time, each[static_cast<std::size_t>(c)], kEvent)) {
       const double value = recording.wrench(still.from, c), from = recording.time(still.from),
                    to = recording.time(still.to - 1);
       const bool atEnd = std::ranges::any_of(
