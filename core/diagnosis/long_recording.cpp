@@ -26,34 +26,11 @@ struct Rows {
   Eigen::Index from = 0, to = 0;
 };
 
-/// The rows as if nothing else had been recorded.
-Recording cut(const Recording& recording, const Rows& rows) {
-  Recording out;
-  out.file = recording.file;
-  out.meta = recording.meta;
-  const Eigen::Index count = rows.to - rows.from;
-  out.time = recording.time.segment(rows.from, count);
-  const auto take = [&](const auto& from, auto& to) {
-    if (from.rows() > 0) to = from.middleRows(rows.from, count);
-  };
-  take(recording.q, out.q);
-  take(recording.dq, out.dq);
-  take(recording.position, out.position);
-  take(recording.quaternion, out.quaternion);
-  take(recording.twist, out.twist);
-  take(recording.accelerometer, out.accelerometer);
-  take(recording.gyroscope, out.gyroscope);
-  take(recording.wrench, out.wrench);
-  if (!recording.labels.empty())
-    out.labels.assign(recording.labels.begin() + rows.from, recording.labels.begin() + rows.to);
-  return out;
-}
-
 /// What a search asks of them, of these rows alone.
 Readings cut(const Readings& readings, const Rows& rows) {
   Readings out;
   out.mistake = readings.mistake;
-  out.cleaned = cut(readings.cleaned, rows);
+  out.cleaned = excerpt(readings.cleaned, rows.from, rows.to);
   out.directs = readings.directs;
   out.cutsMost = readings.cutsMost;
   if (!readings.bad.empty()) out.bad.assign(readings.bad.begin() + rows.from, readings.bad.begin() + rows.to);
@@ -141,7 +118,7 @@ std::vector<std::string> absentFrom(const std::vector<SearchedPart>& parts) {
 
 Result<SearchedPart> searchedIn(const Recording& recording, const Readings& readings, const RobotModel* robot,
                                 const DiagnoseOptions& options, const Rows& rows, const Progress& progress) {
-  const Recording stated = cut(recording, rows);
+  const Recording stated = excerpt(recording, rows.from, rows.to);
   Readings there = cut(readings, rows);
   auto found = searched(stated, there, robot, options, progress);
   if (!found) return found.error();

@@ -120,11 +120,14 @@ double shortfallOfLearning(const WrenchRows& rows, const NoiseModel& noise, cons
   NormalDraws normal;
   std::vector<Noise> made;
   for (Eigen::Index draw = 0; draw < draws; ++draw) made.push_back(drawn(noise, runs, rows.size(), normal));
+  // What of the scores is the same whatever was drawn.
+  const ScoreEquations ofModel = scoreEquations(rows, noise, weighting, ones, runs);
   std::vector<double> expected(made.size()), found(made.size());
   parallelFor(made.size(), [&](std::size_t draw) {
     WrenchRows of = rows;
     of.wrench = std::move(made[draw]);
-    expected[draw] = chiSquared(honestTriangle(of, noise, weighting, ones, runs));
+    const ScoreEquations drawnFrom{merged(whitenedTriangles(of, weighting, ones, runs, 1)), ofModel.covariance};
+    expected[draw] = chiSquared(honestTriangle(drawnFrom));
     const LearnedNoise learned = withTaken(learnedNoise(of, runs, known), of, runs, known);
     found[draw] = chiSquared(honestTriangle(of, learned.noise, bounded(learned.noise), learned.weights, runs));
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/estimation/noise_certainty.h"
 #include "core/math/linear_algebra.h"
 
@@ -37,15 +38,16 @@ VectorXd whisper() {
 Taken takenBy(const Triangle& whitened, const WrenchRows& rows) {
   // information = L L^T, its inverse L^-T L^-1: rows x L^-T.
   const MatrixXd L = choleskyFactor(informationOf(whitened));
-  const MatrixXd back = L.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(kColumns, kColumns)).transpose();
+  const Eigen::Matrix<double, kColumns, kColumns> back = L.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(kColumns, kColumns)).transpose();
   Taken out;
-  for (int c = 0; c < 6; ++c) {
-    MatrixXd& z = out[static_cast<std::size_t>(c)];
+  parallelFor(out.size(), [&](std::size_t channel) {
+    const auto c = static_cast<Eigen::Index>(channel);
+    MatrixXd& z = out[channel];
     z.resize(rows.size(), kColumns);
     for (Eigen::Index k = 0; k < rows.size(); ++k)
-      z.row(k).noalias() = rows.Y[static_cast<std::size_t>(k)].row(c) * back.bottomRows<10>();
+      z.row(k) = rows.Y[static_cast<std::size_t>(k)].row(c).lazyProduct(back.bottomRows<10>());
     z.rowwise() += back.row(c);
-  }
+  });
   return out;
 }
 
@@ -88,20 +90,23 @@ NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std
                     const Taken* taken, const Vector6d& least) {
   NoiseModel noise;
   double used = 0.0, independent = 0.0, estimated = taken ? 0.0 : parameters;
-  for (int c = 0; c < 6; ++c) {
-    AutoCovariance sums(kMaxArOrder);
+  std::vector<AutoCovariance> sums(6, AutoCovariance(kMaxArOrder));
+  parallelFor(sums.size(), [&](std::size_t channel) {
+    const auto c = static_cast<Eigen::Index>(channel);
     for (const auto& run : runs) {
       const VectorXd weight = weights.row(c).segment(run.from, run.to - run.from).transpose();
-      sums.add(residual.row(c).segment(run.from, run.to - run.from).transpose(), weight);
+      sums[channel].add(residual.row(c).segment(run.from, run.to - run.from).transpose(), weight);
       for (Eigen::Index i = 0; taken && i < kColumns; ++i)
-        sums.addTaken((*taken)[static_cast<std::size_t>(c)].col(i).segment(run.from, run.to - run.from), weight);
+        sums[channel].addTaken((*taken)[channel].col(i).segment(run.from, run.to - run.from), weight);
     }
-    noise.channels[static_cast<std::size_t>(c)] = sums.fit(kBeyondBic);
-    noise.order = std::max(noise.order, noise.channels[static_cast<std::size_t>(c)].order());
-    const ArModel& channel = noise.channels[static_cast<std::size_t>(c)];
-    used += sums.count();
+    noise.channels[channel] = sums[channel].fit(kBeyondBic);
+  });
+  for (std::size_t c = 0; c < sums.size(); ++c) {
+    const ArModel& channel = noise.channels[c];
+    noise.order = std::max(noise.order, channel.order());
+    used += sums[c].count();
     // Slow noise repeats itself: as far as the slow band goes, so many samples of a channel are worth one.
-    independent += sums.count() / std::max(1.0, channel.gain() * channel.gain());
+    independent += sums[c].count() / std::max(1.0, channel.gain() * channel.gain());
     estimated += channel.order();
   }
   // The fitted parameters took their share of the residual's energy, and the noise model is itself only an estimate:
@@ -254,18 +259,35 @@ WhiteRows RowWhitener::white(const WrenchRows& rows, Eigen::Index k, const Vecto
 
 std::vector<Triangle> whitenedTriangles(const WrenchRows& rows, const NoiseModel& noise, const Wrenches& weights,
                                         const std::vector<Run>& runs, int folds) {
+  constexpr Eigen::Index kPiece = 8192;  // Blocks that one thread takes at once
   Eigen::Index total = 0;
   for (const auto& run : runs) total += std::max<Eigen::Index>(0, run.to - run.from - noise.order);
-  std::vector<TriangleBuilder> builders(static_cast<std::size_t>(folds));
-  const RowWhitener whitener(noise);
-  Eigen::Index seen = 0;
+  std::vector<Eigen::Index> blocks;
+  blocks.reserve(static_cast<std::size_t>(total));
   for (const auto& run : runs)
-    for (Eigen::Index k = run.from + noise.order; k < run.to; ++k, ++seen)
-      builders[static_cast<std::size_t>(
-                   std::min<Eigen::Index>(folds - 1, seen * folds / std::max<Eigen::Index>(1, total)))]
-          .add(whitener.white(rows, k, weights.col(k)));
+    for (Eigen::Index k = run.from + noise.order; k < run.to; ++k) blocks.push_back(k);
+  const auto foldBegin = [&](Eigen::Index fold) { return (fold * total + folds - 1) / folds; };
+  std::vector<Run> pieces;  // Of `blocks`, each within one fold
+  std::vector<std::size_t> foldOf;
+  for (Eigen::Index fold = 0; fold < folds; ++fold)
+    for (Eigen::Index from = foldBegin(fold), end = foldBegin(fold + 1); from < end; from += kPiece) {
+      pieces.push_back({from, std::min(end, from + kPiece)});
+      foldOf.push_back(static_cast<std::size_t>(fold));
+    }
+  std::vector<Triangle> ofPieces(pieces.size());
+  const RowWhitener whitener(noise);
+  parallelFor(pieces.size(), [&](std::size_t i) {
+    TriangleBuilder builder;
+    for (Eigen::Index at = pieces[i].from; at < pieces[i].to; ++at) {
+      const Eigen::Index k = blocks[static_cast<std::size_t>(at)];
+      builder.add(whitener.white(rows, k, weights.col(k)));
+    }
+    ofPieces[i] = builder.finish();
+  });
+  std::vector<std::vector<Triangle>> ofFolds(static_cast<std::size_t>(folds));
+  for (std::size_t i = 0; i < pieces.size(); ++i) ofFolds[foldOf[i]].push_back(ofPieces[i]);
   std::vector<Triangle> triangles;
-  for (auto& builder : builders) triangles.push_back(builder.finish());
+  for (const auto& each : ofFolds) triangles.push_back(each.size() == 1 ? each.front() : merged(each));
   return triangles;
 }
 

@@ -326,6 +326,72 @@ Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robo
   return out;
 }
 
+/// [s] Of a recording more than twice as long, the smoothing is chosen on so much of its middle: how noisy an arm's
+/// angles are does not change with time.
+constexpr double kChoiceSpan = 150.0;
+
+/// A recording prepared with the smoothing that predicts its wrench best.
+struct Smoothed {
+  Prepared prepared;
+  /// Blocks of the motion that lost least, where another was chosen: what is smoothed further, is smoothed together with
+  /// the wrench.
+  std::optional<WrenchRows> widest;
+};
+
+Result<Smoothed> onlySmoothed(Result<Prepared> prepared) {
+  if (!prepared) return prepared.error();
+  return Smoothed{std::move(*prepared), std::nullopt};
+}
+
+/// `preparedAt(cutoff)`: a Result<Prepared>.
+template <class PreparedAt>
+Result<Smoothed> bestSmoothed(const PreparedAt& preparedAt, const Progress& progress) {
+  // Noise of angles grows in accelerations with the square of the frequency: where a narrower band gains nothing, those
+  // narrower still are not asked. Two at a time, as there are two threads.
+  constexpr std::array<double, 4> kCutoffs{kDefaultCutoffHz, 12.0, 6.0, 3.0};
+  std::array<std::optional<Result<Prepared>>, kCutoffs.size()> prepared;
+  const auto prepareTwo = [&](std::size_t from) {
+    parallelFor(2, [&](std::size_t i) { prepared[from + i].emplace(preparedAt(kCutoffs[from + i])); });
+  };
+  prepareTwo(0);
+  auto best = onlySmoothed(std::move(*prepared[0]));
+  if (!best) return best;
+  for (std::size_t i = 1; i < kCutoffs.size(); ++i) {
+    if (i == 2) prepareTwo(2);
+    if (progress.cancelled()) return Error{"Stopped.", true};
+    auto next = std::move(*prepared[i]);
+    prepared[i].reset();
+    if (!next || advantage(best->prepared, *next) < kWorthSmoothing) break;
+    if (!best->widest) best->widest = std::move(best->prepared.blocks);
+    best->prepared = std::move(*next);
+  }
+  return best;
+}
+
+/// The cut-off that bestSmoothed() has for the middle of a long recording.
+Result<double> cutoffOfMiddle(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
+                              const Understanding& as, const Progress& progress) {
+  const double from = recording.time(0) + 0.5 * (recording.duration() - kChoiceSpan);
+  const auto rowAt = [&](double time) {
+    return std::lower_bound(recording.time.begin(), recording.time.end(), time) - recording.time.begin();
+  };
+  const Recording part = excerpt(recording, rowAt(from), rowAt(from + kChoiceSpan));
+  if (part.rows() < 2) return Error{"Nothing was recorded there."};
+  Understanding there = asStated(part, flatTops(part.wrench));
+  there.reading = as.reading;
+  there.doubtful = as.doubtful;
+  if (as.reading) there.held = {};
+  const auto smoothed = bestSmoothed(
+      [&](double cutoff) {
+        EstimateOptions at = options;
+        at.motion.cutoffHz = cutoff;
+        return prepareMotion(part, robot, at, there);
+      },
+      progress);
+  if (!smoothed) return smoothed.error();
+  return smoothed->prepared.cutoffHz;
+}
+
 /// The blocks of the same motion with as much noise again as it has; nothing where that cannot be told.
 std::optional<WrenchRows> noisierBlocks(const Recording& recording, const RobotModel* robot, MotionOptions options,
                                         const Understanding& as) {
@@ -345,10 +411,10 @@ int strideFor(const HeldValues& held, double rateHz) {
   return std::max(held.period * kBlockRate > 0.6 ? 2 : 1, strideOfSlowRows(rateHz));
 }
 
-/// `widest`: the blocks of the motion at the widest band, if that was not told. Smoothing of another kind, and a tool
-/// that stands still, are taken as they are.
+/// `widest`: the blocks of the motion at the widest band, if they are known and not the prepared ones. `fixed`: the band
+/// was not chosen, but asked for. Smoothing of another kind, and a tool that stands still, are taken as they are.
 FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
-                   const Understanding& as, const Prepared& prepared, std::optional<WrenchRows> widest) {
+                   const Understanding& as, const Prepared& prepared, std::optional<WrenchRows> widest, bool fixed) {
   const LearnedNoise learned{prepared.noise, prepared.weights, {}};
   FitRowsQuestion question{prepared.blocks, prepared.runs, {prepared.silent, prepared.rounding}, {}, &learned};
   question.atLeast = strideFor(as.held, recording.rateHz());
@@ -356,8 +422,7 @@ FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const Es
   const int stride = std::max(1, static_cast<int>(std::lround(kDefaultCutoffHz / prepared.cutoffHz)));
   MotionOptions wide = options.motion;
   wide.cutoffHz = std::max(kDefaultCutoffHz, prepared.cutoffHz);
-  const bool fixed = !widest;
-  if (fixed && stride > 1) {
+  if (!widest && stride > 1) {
     auto motion = motionOf(recording, robot, motionOptions(recording, wide, as));
     if (motion) widest = blocksOf(understood(std::move(*motion), as), recording, as.held);
   }
@@ -485,41 +550,27 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
       as.held = {};
     }
   }
-  const auto prepareAt = [&](double cutoff) {
+  const auto preparedAt = [&](double cutoff) {
     EstimateOptions at = trial;
     at.motion.cutoffHz = cutoff;
-    return prepareMotion(cleaned, robot, at, as);
+    return prepareMotion(cleaned, robot, at, as,
+                         cutoff == trial.motion.cutoffHz ? std::exchange(first, std::nullopt) : std::nullopt);
   };
-  // Noise of angles grows in accelerations with the square of the frequency: where a narrower band gains nothing, those
-  // narrower still are not asked. Two at a time: of an hour each takes a gigabyte.
-  constexpr std::array<double, 4> kCutoffs{kDefaultCutoffHz, 12.0, 6.0, 3.0};
-  std::array<std::optional<Result<Prepared>>, kCutoffs.size()> prepared;
-  const auto prepareTwo = [&](std::size_t from) {
-    parallelFor(choose ? 2 : 1, [&](std::size_t i) {
-      prepared[from + i].emplace(from + i == 0 ? prepareMotion(cleaned, robot, trial, as, std::move(first))
-                                               : prepareAt(kCutoffs[from + i]));
-    });
-  };
-  prepareTwo(0);
-  auto best = std::move(*prepared[0]);
-  if (!best) return best.error();
-  // Of the motion that lost least: what is smoothed further, is smoothed together with the wrench.
-  std::optional<WrenchRows> widest;
-  if (choose) {
-    widest = best->blocks;
-    for (std::size_t i = 1; i < kCutoffs.size(); ++i) {
-      if (i == 2) prepareTwo(2);
-      if (progress.cancelled()) return Error{"Stopped.", true};
-      auto next = std::move(*prepared[i]);
-      prepared[i].reset();
-      if (!next || advantage(*best, *next) < kWorthSmoothing) break;
-      best = std::move(next);
-    }
-    if (options.motion.outputRateHz <= 0.0) {
-      trial.motion.outputRateHz = 0.0;
-      best = prepareAt(best->cutoffHz);
-      if (!best) return best.error();
-    }
+  std::optional<double> ofPart;
+  if (choose && cleaned.duration() > 2.0 * kChoiceSpan) {
+    const auto cutoff = cutoffOfMiddle(cleaned, robot, trial, as, progress);
+    if (!cutoff && cutoff.error().cancelled) return cutoff.error();
+    if (cutoff) ofPart = *cutoff;
+  }
+  auto smoothed = choose && !ofPart ? bestSmoothed(preparedAt, progress)
+                                    : onlySmoothed(preparedAt(ofPart.value_or(trial.motion.cutoffHz)));
+  if (!smoothed) return smoothed.error();
+  Prepared* const best = &smoothed->prepared;
+  if (choose && options.motion.outputRateHz <= 0.0) {
+    trial.motion.outputRateHz = 0.0;
+    auto whole = preparedAt(best->cutoffHz);
+    if (!whole) return whole.error();
+    *best = std::move(*whole);
   }
   if (progress.cancelled()) return Error{"Stopped.", true};
   best->conventions = std::move(report);
@@ -552,7 +603,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
          heft::say("Let the source stamp its samples when they are measured, not when they are sent."),
          {}});
   progress(0.6, heft::say("Learning the sensor's noise"));
-  const FitRows fit = fitRowsFor(cleaned, robot, trial, as, *best, std::move(widest));
+  const FitRows fit = fitRowsFor(cleaned, robot, trial, as, *best, std::move(smoothed->widest), !choose);
   if (as.held.period > 0.0)
     best->findings.push_back(
         {Severity::info,

@@ -388,19 +388,29 @@ struct OpenTable {
   TextBlocks body;
 };
 
+/// Whether a line that is not blank ends in it.
+bool hasHeaderLine(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t\r\n");
+  return begin != std::string_view::npos && text.find_first_of("\r\n", begin) != std::string_view::npos;
+}
+
 /// Only the beginning of a file is looked at: gigabytes of something else are not read. What states no size (a pipe) is
 /// read as a whole.
 Result<OpenTable> openTable(const std::filesystem::path& csv, const std::string& name) {
-  constexpr std::uint64_t kHead = std::uint64_t{4} << 20;  // Several times the longest header
+  constexpr std::size_t kUsualHead = std::size_t{64} << 10;
+  constexpr std::size_t kLongestHead = std::size_t{4} << 20;  // Several times the longest header
   auto file = InputFile::open(csv);
   if (!file) return file.error();
   const std::uint64_t size = file->size().value_or(0);
   OpenTable out{std::make_unique<std::string>(), {}, TextBlocks({}, '\n')};
   if (size > 0) {
-    out.head->resize(static_cast<std::size_t>(std::min(size, kHead)));
-    const auto got = file->readAt(0, out.head->data(), out.head->size());
-    if (!got) return got.error();
-    out.head->resize(*got);
+    for (const std::size_t most : {kUsualHead, kLongestHead}) {
+      out.head->resize(static_cast<std::size_t>(std::min<std::uint64_t>(size, most)));
+      const auto got = file->readAt(0, out.head->data(), out.head->size());
+      if (!got) return got.error();
+      out.head->resize(*got);
+      if (hasHeaderLine(*out.head)) break;
+    }
   } else {
     auto text = readTextFile(csv, kMaxRecordingBytes);
     if (!text) return text.error();

@@ -316,7 +316,7 @@ class RowJoiner {
     }
     rows_.lines.insert(rows_.lines.end(), block.rows.lines.begin(), block.rows.lines.end());
     if (rows_.firstBlankLine == 0) rows_.firstBlankLine = block.rows.firstBlankLine;
-    rows_.cutLine = block.rows.cutLine;
+    if (rows_.cutLine == 0) rows_.cutLine = block.rows.cutLine;  // The last line may reach over several blocks
   }
 
   Rows finish() {

@@ -31,4 +31,27 @@ double Recording::rateHz() const {
   return *middle > 0.0 ? 1.0 / *middle : 0.0;
 }
 
+Recording excerpt(const Recording& recording, Eigen::Index from, Eigen::Index to) {
+  Recording out;
+  out.file = recording.file;
+  out.meta = recording.meta;
+  out.wrenchNeedsPose = recording.wrenchNeedsPose;
+  out.configured = recording.configured;
+  out.time = recording.time.segment(from, to - from);
+  const auto take = [&](const auto& all, auto& some) {
+    if (all.rows() > 0) some = all.middleRows(from, to - from);
+  };
+  take(recording.q, out.q);
+  take(recording.dq, out.dq);
+  take(recording.position, out.position);
+  take(recording.quaternion, out.quaternion);
+  take(recording.twist, out.twist);
+  take(recording.accelerometer, out.accelerometer);
+  take(recording.gyroscope, out.gyroscope);
+  take(recording.wrench, out.wrench);
+  if (!recording.labels.empty())
+    out.labels.assign(recording.labels.begin() + from, recording.labels.begin() + to);
+  return out;
+}
+
 }  // namespace heft

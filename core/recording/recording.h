@@ -91,4 +91,7 @@ struct Recording {
   double rateHz() const;
 };
 
+/// Rows [from, to) as if nothing else had been recorded; without extra columns.
+Recording excerpt(const Recording& recording, Eigen::Index from, Eigen::Index to);
+
 }  // namespace heft

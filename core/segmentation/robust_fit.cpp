@@ -1,4 +1,5 @@
 #include "core/segmentation/robust_fit.h"
+#include "core/base/parallel.h"
 #include "core/math/linear_algebra.h"
 
 #include <algorithm>
@@ -35,14 +36,19 @@ FitPrior priorFrom(const Payload& payload, const Payload& std) {
 }
 
 WindowMatrix normalMatrix(const WrenchRows& rows, const Vector6d& scale, Eigen::Index from, Eigen::Index to) {
+  constexpr Eigen::Index kBlocks = 40;  // At once: some rows make the product worth its set-up
+  const Vector6d inverse = scale.cwiseInverse();
+  const Matrix6d biases = inverse.asDiagonal();
   WindowMatrix N = WindowMatrix::Zero();
-  Eigen::Matrix<double, 6, 17> A;
-  for (Eigen::Index k = from; k < to; ++k) {
-    A.leftCols<10>() = rows.Y[static_cast<std::size_t>(k)];
-    A.middleCols<6>(10).setIdentity();
-    A.col(16) = rows.wrench.col(k);
-    A = scale.cwiseInverse().asDiagonal() * A;
-    N.selfadjointView<Eigen::Lower>().rankUpdate(A.transpose());
+  Eigen::Matrix<double, 6 * kBlocks, 17> A;
+  for (Eigen::Index first = from; first < to; first += kBlocks) {
+    const Eigen::Index count = std::min(kBlocks, to - first);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      A.block<6, 10>(6 * i, 0) = inverse.asDiagonal() * rows.Y[static_cast<std::size_t>(first + i)];
+      A.block<6, 6>(6 * i, 10) = biases;
+      A.block<6, 1>(6 * i, 16) = inverse.cwiseProduct(rows.wrench.col(first + i));
+    }
+    N.selfadjointView<Eigen::Lower>().rankUpdate(A.topRows(6 * count).transpose());
   }
   return N.selfadjointView<Eigen::Lower>();
 }
@@ -56,7 +62,7 @@ FitVector solveNormal(const WindowMatrix& N, const FitPrior& prior) {
 double energyOf(const WindowMatrix& N, const FitVector& x) {
   Eigen::Matrix<double, 17, 1> z;
   z << -x, 1.0;
-  return std::max(0.0, z.dot(N * z));
+  return std::max(0.0, z.dot(N.lazyProduct(z)));
 }
 
 Eigen::Matrix<double, 6, Eigen::Dynamic> residualOf(const WrenchRows& rows, const FitVector& x) {
@@ -123,20 +129,17 @@ CappedFit cappedFit(const FitWindows& windows, std::size_t from, std::size_t to,
     return fit;
   };
   std::mt19937 random(20240229);  // raw engine output only: the same on every platform
-  std::vector<CappedFit> best;
-  for (int start = 0; start <= starts; ++start) {
-    WindowMatrix N = WindowMatrix::Zero();
-    if (start == 0) {
-      for (const std::size_t w : members) N += windows.matrices[w];
-    } else {
-      for (int i = 0; i < 8; ++i) N += windows.matrices[members[random() % members.size()]];
-    }
-    best.push_back(concentrate({solveNormal(N, prior), 0.0}, 2));
-  }
+  std::vector<WindowMatrix> beginnings(static_cast<std::size_t>(starts) + 1, WindowMatrix::Zero());
+  for (const std::size_t w : members) beginnings.front() += windows.matrices[w];
+  for (std::size_t start = 1; start < beginnings.size(); ++start)
+    for (int i = 0; i < 8; ++i) beginnings[start] += windows.matrices[members[random() % members.size()]];
+  std::vector<CappedFit> best(beginnings.size());
+  parallelFor(best.size(),
+              [&](std::size_t i) { best[i] = concentrate({solveNormal(beginnings[i], prior), 0.0}, 2); });
   const auto byEnergy = [](const CappedFit& a, const CappedFit& b) { return a.energy < b.energy; };
   std::sort(best.begin(), best.end(), byEnergy);
   best.resize(std::min<std::size_t>(best.size(), 5));
-  for (auto& candidate : best) candidate = concentrate(candidate, 15);
+  parallelFor(best.size(), [&](std::size_t i) { best[i] = concentrate(best[i], 15); });
   return *std::min_element(best.begin(), best.end(), byEnergy);
 }
 
