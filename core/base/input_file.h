@@ -17,6 +17,8 @@ class InputFile {
   /// Fails for folders and for what is not there or may not be read.
   static Result<InputFile> open(const std::filesystem::path& path);
 
+  /// As messages name it.
+  const std::string& name() const { return name_; }
   /// Bytes when it was opened; nothing for pipes and devices, which state none.
   std::optional<std::uint64_t> size() const { return size_; }
   /// Up to `count` bytes from `at`; fewer only where the file ends. Not for pipes.

@@ -63,14 +63,16 @@ Result<nlohmann::json> parseJson(std::string_view text, const std::string& name)
 }
 
 Result<std::string> readTextFile(const std::filesystem::path& path, std::size_t maxBytes) {
-  const auto name = displayName(path);
   const auto file = InputFile::open(path);
   if (!file) return file.error();
-  const auto tooLarge = [&](std::size_t bytes) {
-    return Error{heft::say("{} has {} MB; at most {} MB can be read.", name, bytes >> 20, maxBytes >> 20)};
-  };
-  const std::size_t size = file->size().value_or(0);
-  if (size > maxBytes) return tooLarge(size);
+  return readRest(*file, maxBytes);
+}
+
+Result<std::string> readRest(const InputFile& file, std::size_t maxBytes) {
+  const std::size_t size = file.size().value_or(0);
+  if (size > maxBytes)
+    return Error{
+        heft::say("{} has {} MB; at most {} MB can be read.", file.name(), size >> 20, maxBytes >> 20)};
 
   // One byte more than the file's size: the read that meets the end needs no second buffer. Files that state no size
   // (pipes, /proc) and files that still grow are read on, up to the limit.
@@ -78,11 +80,12 @@ Result<std::string> readTextFile(const std::filesystem::path& path, std::size_t 
   std::size_t used = 0;
   for (;;) {
     if (used == text.size()) text.resize(std::min(2 * text.size(), maxBytes + 1));
-    const auto got = file->readNext(text.data() + used, text.size() - used);
+    const auto got = file.readNext(text.data() + used, text.size() - used);
     if (!got) return got.error();
     if (*got == 0) break;
     used += *got;
-    if (used > maxBytes) return Error{heft::say("{} has more than the {} MB that can be read.", name, maxBytes >> 20)};
+    if (used > maxBytes)
+      return Error{heft::say("{} has more than the {} MB that can be read.", file.name(), maxBytes >> 20)};
   }
   text.resize(used);
   return text;

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/input_file.h"
 #include "core/base/result.h"
 
 namespace heft {
@@ -18,6 +19,9 @@ Result<nlohmann::json> readJsonFile(const std::filesystem::path& path);
 /// The whole content of a text file of at most `maxBytes`, or why it cannot be read. The limit also holds for pipes and
 /// devices, which state no size.
 Result<std::string> readTextFile(const std::filesystem::path& path, std::size_t maxBytes = 64u << 20);
+
+/// All that follows what was read of the file so far.
+Result<std::string> readRest(const InputFile& file, std::size_t maxBytes);
 
 /// Writes through a temporary file beside the target and renames it, so that a crash leaves the old file whole.
 /// "-" writes to stdout. The value true only says that it succeeded.

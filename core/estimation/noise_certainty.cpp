@@ -126,8 +126,8 @@ double shortfallOfLearning(const WrenchRows& rows, const NoiseModel& noise, cons
   parallelFor(made.size(), [&](std::size_t draw) {
     WrenchRows of = rows;
     of.wrench = std::move(made[draw]);
-    const ScoreEquations drawnFrom{merged(whitenedTriangles(of, weighting, ones, runs, 1)), ofModel.covariance};
-    expected[draw] = chiSquared(honestTriangle(drawnFrom));
+    const ScoreEquations ofDraw{merged(whitenedTriangles(of, weighting, ones, runs, 1)), ofModel.covariance};
+    expected[draw] = chiSquared(honestTriangle(ofDraw));
     const LearnedNoise learned = withTaken(learnedNoise(of, runs, known), of, runs, known);
     found[draw] = chiSquared(honestTriangle(of, learned.noise, bounded(learned.noise), learned.weights, runs));
   });

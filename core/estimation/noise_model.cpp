@@ -38,14 +38,14 @@ VectorXd whisper() {
 Taken takenBy(const Triangle& whitened, const WrenchRows& rows) {
   // information = L L^T, its inverse L^-T L^-1: rows x L^-T.
   const MatrixXd L = choleskyFactor(informationOf(whitened));
-  const Eigen::Matrix<double, kColumns, kColumns> back = L.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(kColumns, kColumns)).transpose();
+  const MatrixXd back = L.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(kColumns, kColumns)).transpose();
   Taken out;
   parallelFor(out.size(), [&](std::size_t channel) {
     const auto c = static_cast<Eigen::Index>(channel);
     MatrixXd& z = out[channel];
     z.resize(rows.size(), kColumns);
     for (Eigen::Index k = 0; k < rows.size(); ++k)
-      z.row(k) = rows.Y[static_cast<std::size_t>(k)].row(c).lazyProduct(back.bottomRows<10>());
+      z.row(k).noalias() = rows.Y[static_cast<std::size_t>(k)].row(c) * back.bottomRows<10>();
     z.rowwise() += back.row(c);
   });
   return out;

@@ -333,8 +333,7 @@ constexpr double kChoiceSpan = 150.0;
 /// A recording prepared with the smoothing that predicts its wrench best.
 struct Smoothed {
   Prepared prepared;
-  /// Blocks of the motion that lost least, where another was chosen: what is smoothed further, is smoothed together with
-  /// the wrench.
+  /// Blocks of the widest band, where a narrower one was chosen: the wrench is then smoothed with the motion.
   std::optional<WrenchRows> widest;
 };
 
@@ -368,7 +367,7 @@ Result<Smoothed> bestSmoothed(const PreparedAt& preparedAt, const Progress& prog
   return best;
 }
 
-/// The cut-off that bestSmoothed() has for the middle of a long recording.
+/// The cut-off that bestSmoothed() has for the middle of a long recording. Fails where that tells too little.
 Result<double> cutoffOfMiddle(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                               const Understanding& as, const Progress& progress) {
   const double from = recording.time(0) + 0.5 * (recording.duration() - kChoiceSpan);
@@ -389,7 +388,9 @@ Result<double> cutoffOfMiddle(const Recording& recording, const RobotModel* robo
       },
       progress);
   if (!smoothed) return smoothed.error();
-  return smoothed->prepared.cutoffHz;
+  const Prepared& found = smoothed->prepared;
+  if (found.still || 2 * found.usedBlocks < found.blocks.size()) return Error{"Too little moves freely there."};
+  return found.cutoffHz;
 }
 
 /// The blocks of the same motion with as much noise again as it has; nothing where that cannot be told.
@@ -556,17 +557,22 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     return prepareMotion(cleaned, robot, at, as,
                          cutoff == trial.motion.cutoffHz ? std::exchange(first, std::nullopt) : std::nullopt);
   };
-  std::optional<double> ofPart;
+  std::optional<double> cutoffOfPart;
   if (choose && cleaned.duration() > 2.0 * kChoiceSpan) {
     const auto cutoff = cutoffOfMiddle(cleaned, robot, trial, as, progress);
     if (!cutoff && cutoff.error().cancelled) return cutoff.error();
-    if (cutoff) ofPart = *cutoff;
+    if (cutoff) cutoffOfPart = *cutoff;
+    if (cutoff && *cutoff != trial.motion.cutoffHz) first.reset();
   }
-  auto smoothed = choose && !ofPart ? bestSmoothed(preparedAt, progress)
-                                    : onlySmoothed(preparedAt(ofPart.value_or(trial.motion.cutoffHz)));
+  if (cutoffOfPart && options.motion.outputRateHz <= 0.0) {
+    trial.motion.outputRateHz = 0.0;
+    first.reset();
+  }
+  auto smoothed = choose && !cutoffOfPart ? bestSmoothed(preparedAt, progress)
+                                    : onlySmoothed(preparedAt(cutoffOfPart.value_or(trial.motion.cutoffHz)));
   if (!smoothed) return smoothed.error();
   Prepared* const best = &smoothed->prepared;
-  if (choose && options.motion.outputRateHz <= 0.0) {
+  if (choose && !cutoffOfPart && options.motion.outputRateHz <= 0.0) {
     trial.motion.outputRateHz = 0.0;
     auto whole = preparedAt(best->cutoffHz);
     if (!whole) return whole.error();

@@ -314,7 +314,7 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
   const auto text = readTableText(std::move(*bytes), set.file, set.findings);
   const auto header = csv::readHeader(text.text, set.file);
   if (!header) return header.error();
-  const auto body = csv::countLines({header->body, header->newline}, *header, set.file);
+  const auto body = csv::countLines({header->body, header->newline}, *header, set.file, progress);
   if (!body) return body.error();
   if (header->names.size() * static_cast<std::size_t>(body->lines()) > kMaxStreamNumbers / 4)
     return errorAt({set.file, 0, 0}, heft::say("the table holds more cells than fit in memory."),

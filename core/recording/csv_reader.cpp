@@ -47,7 +47,7 @@ class RecordingParser {
     const Examined examined{recording_, map_, name_, lines_, findings_};
     if (auto failure = assumeRobot(examined, header_.line)) return *failure;
 
-    const auto body = csv::countLines(std::move(text_), header_, name_);
+    const auto body = csv::countLines(std::move(text_), header_, name_, progress);
     if (!body) return body.error();
     const Eigen::Index lineCount = body->lines();
     if (const auto columns = header_.names.size(); columns * static_cast<std::size_t>(lineCount) > kMaxNumbers)
@@ -388,10 +388,10 @@ struct OpenTable {
   TextBlocks body;
 };
 
-/// Whether a line that is not blank ends in it.
+/// Whether a line that is not blank ends in it, by the usual line break.
 bool hasHeaderLine(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t\r\n");
-  return begin != std::string_view::npos && text.find_first_of("\r\n", begin) != std::string_view::npos;
+  const auto begin = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  return begin != std::string_view::npos && text.find('\n', begin) != std::string_view::npos;
 }
 
 /// Only the beginning of a file is looked at: gigabytes of something else are not read. What states no size (a pipe) is
@@ -412,7 +412,7 @@ Result<OpenTable> openTable(const std::filesystem::path& csv, const std::string&
       if (hasHeaderLine(*out.head)) break;
     }
   } else {
-    auto text = readTextFile(csv, kMaxRecordingBytes);
+    auto text = readRest(*file, kMaxRecordingBytes);
     if (!text) return text.error();
     *out.head = std::move(*text);
   }

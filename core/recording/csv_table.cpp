@@ -145,6 +145,13 @@ Error notANumber(std::string_view cell, const Header& header, std::size_t field,
 /// Blocks that are read before progress is told of and the user is asked whether to go on.
 constexpr std::size_t kBlocksAtOnce = 32;
 
+Error stopped() { return Error{heft::say("Reading was stopped."), true}; }
+
+Error changedMeanwhile(long line, const std::string& file) {
+  return errorAt({file, line, 0}, heft::say("the file changed while it was read."),
+                 heft::say("Read it again once it is complete."));
+}
+
 Error zeroByte(std::uint64_t at, long line, const std::string& file) {
   return errorAt({file, line, 0}, heft::say("this is a binary or damaged file (byte {} is zero), not CSV.", at + 1),
                  heft::say("Export the recording as CSV text."));
@@ -190,18 +197,13 @@ class RowReader {
         ++at_;
         continue;
       }
-      read_.failure = rows_.lines.size() < most_ ? readRow() : changedMeanwhile();
+      read_.failure = rows_.lines.size() < most_ ? readRow() : changedMeanwhile(line_, file_);
       if (read_.failure) break;
     }
     return std::move(read_);
   }
 
  private:
-  Error changedMeanwhile() const {
-    return errorAt({file_, line_, 0}, heft::say("the file changed while it was read."),
-                   heft::say("Read it again once it is complete."));
-  }
-
   void skipBlanks() {
     while (at_ != end_ && *at_ != separator_ && *at_ != newline_ && isBlank(*at_)) ++at_;
   }
@@ -369,33 +371,40 @@ Result<Header> readHeader(std::string_view text, const std::string& file) {
   return header;
 }
 
-Result<Body> countLines(TextBlocks blocks, const Header& header, const std::string& file) {
+Result<Body> countLines(TextBlocks blocks, const Header& header, const std::string& file, const Progress& progress) {
   struct Counted {
-    Eigen::Index lines = 0;
-    std::optional<std::uint64_t> zero;  ///< Place of the first zero byte
+    std::size_t bytes = 0;
+    Eigen::Index lines = 0;             ///< Of those before a zero byte, if there is one
+    std::optional<std::uint64_t> zero;  ///< Place of the first
     std::optional<Error> failure;
   };
-  std::vector<Counted> counted(blocks.count());
-  parallelFor(counted.size(), [&](std::size_t i) {
-    std::string room;
-    const auto block = blocks.block(i, room);
-    if (!block) {
-      counted[i].failure = block.error();
-      return;
+  Body body{std::move(blocks), {}, {0}};
+  const std::size_t count = body.blocks.count();
+  for (std::size_t first = 0; first < count; first += kBlocksAtOnce) {
+    if (progress.cancelled()) return stopped();
+    std::vector<Counted> counted(std::min(kBlocksAtOnce, count - first));
+    parallelFor(counted.size(), [&](std::size_t i) {
+      std::string room;
+      const auto block = body.blocks.block(first + i, room);
+      if (!block) {
+        counted[i].failure = block.error();
+        return;
+      }
+      std::string_view lines = block->lines;
+      counted[i].bytes = lines.size();
+      if (const auto zero = lines.find('\0'); zero != std::string_view::npos) {
+        counted[i].zero = block->at + zero;
+        lines = lines.substr(0, zero);
+      }
+      counted[i].lines = std::count(lines.begin(), lines.end(), header.newline);
+      if (!counted[i].zero && !lines.empty() && lines.back() != header.newline) ++counted[i].lines;
+    });
+    for (const Counted& each : counted) {
+      if (each.failure) return *each.failure;
+      if (each.zero) return zeroByte(*each.zero, header.line + 1 + body.lines() + each.lines, file);
+      body.bytes.push_back(each.bytes);
+      body.linesBefore.push_back(body.lines() + each.lines);
     }
-    std::string_view lines = block->lines;
-    if (const auto zero = lines.find('\0'); zero != std::string_view::npos) {
-      counted[i].zero = block->at + zero;
-      lines = lines.substr(0, zero);
-    }
-    counted[i].lines = std::count(lines.begin(), lines.end(), header.newline);
-    if (!lines.empty() && lines.back() != header.newline) ++counted[i].lines;
-  });
-  Body body{std::move(blocks), {0}};
-  for (const Counted& each : counted) {
-    if (each.failure) return *each.failure;
-    body.linesBefore.push_back(body.lines() + each.lines);
-    if (each.zero) return zeroByte(*each.zero, header.line + std::max<long>(1, body.lines()), file);
   }
   return body;
 }
@@ -405,19 +414,21 @@ Result<Rows> readRows(const Header& header, const Body& body, std::vector<Field>
   RowJoiner joiner(fields, body.lines());
   const std::size_t count = body.blocks.count();
   for (std::size_t first = 0; first < count; first += kBlocksAtOnce) {
-    if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
+    if (progress.cancelled()) return stopped();
     progress(static_cast<double>(first) / static_cast<double>(count), "reading");
     std::vector<BlockRows> read(std::min(kBlocksAtOnce, count - first));
     parallelFor(read.size(), [&](std::size_t i) {
       const Eigen::Index before = body.linesBefore[first + i];
       std::string room;
       const auto block = body.blocks.block(first + i, room);
-      if (block)
-        read[i] = RowReader(header, fields, file, block->lines, header.line + 1 + before, before,
-                            body.linesBefore[first + i + 1] - before)
-                      .read();
-      else
+      const long line = header.line + 1 + before;
+      if (!block)
         read[i].failure = block.error();
+      else if (block->lines.size() != body.bytes[first + i])
+        read[i].failure = changedMeanwhile(line, file);
+      else
+        read[i] = RowReader(header, fields, file, block->lines, line, before, body.linesBefore[first + i + 1] - before)
+                      .read();
     });
     for (std::size_t i = 0; i < read.size(); ++i) {
       if (read[i].failure) return *read[i].failure;

@@ -21,23 +21,25 @@ struct Header {
   char newline = '\n';
   long line = 1;                   ///< Where the header stands.
   std::vector<std::string> names;  ///< Without quotes and outer blanks; as many as a row has cells.
-  std::string_view body;           ///< All that follows the header's line.
+  std::string_view body;           ///< All of the text that follows the header's line.
 };
 
 /// Finds header and separator; fails for what is no text table at all (empty, binary, a known other format, no header).
 /// `text` may be the beginning of a long one.
 Result<Header> readHeader(std::string_view text, const std::string& file);
 
-/// What follows the header, with the number of lines before each block and in all: upper bounds of those of rows.
+/// What follows the header. Of each block: the bytes that it had, and the lines before it.
 struct Body {
   TextBlocks blocks;
+  std::vector<std::size_t> bytes;
   std::vector<Eigen::Index> linesBefore;  ///< One more than there are blocks
 
+  /// An upper bound of the number of rows.
   Eigen::Index lines() const { return linesBefore.back(); }
 };
 
-/// Counts the lines on both cores. Fails for a zero byte, as a text has none, and where a file cannot be read.
-Result<Body> countLines(TextBlocks blocks, const Header& header, const std::string& file);
+/// Counts the lines, on both cores. Fails for a zero byte, as a text has none, and where a file cannot be read.
+Result<Body> countLines(TextBlocks blocks, const Header& header, const std::string& file, const Progress& progress);
 
 /// What becomes of one field of every row.
 struct Field {

@@ -93,6 +93,7 @@ std::vector<FrozenStretch> frozenAlone(const VectorXd& time, const Changes& chan
 std::vector<FrozenStretch> hungPostures(const VectorXd& time, const Eigen::Ref<const MatrixXd>& postures) {
   constexpr double kShortest = 0.1;  // [s]
   constexpr double kLeap = 10.0;     // Over what nine of ten steps stay below
+  if (postures.rows() == 0 || postures.cols() == 0) return {};
   const Changes changes = changesOf(postures);
   std::vector<FrozenStretch> out = frozenStretches(time, changes, kShortest);
   std::erase_if(out, [&](const FrozenStretch& stretch) { return stretch.to >= postures.rows(); });

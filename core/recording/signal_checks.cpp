@@ -212,7 +212,7 @@ class SignalChecker {
     const double start = force.topRows(count).colwise().mean().norm();
     constexpr double kSpikes = 0.01;  // Share of the rows at either end that may be spikes
     constexpr double kNearNothing = 0.02;  // Of the range
-    // Spikes only widen the range: where even so it is too narrow, they need not be found.
+    // Spikes only widen the range: where it is too narrow with them, they need not be looked for.
     if (start > kNearNothing * (force.colwise().maxCoeff() - force.colwise().minCoeff()).norm()) return;
     double squares = 0.0;
     for (Eigen::Index c = 0; c < 3; ++c) {

@@ -100,8 +100,8 @@ std::vector<FlatTop> flatTopsOf(int channel, const Eigen::Ref<const Eigen::Vecto
   for (const Eigen::Index i : fresh) values.push_back(y(i));
   if (hasFewLevels(values)) return out;
   std::vector<double> ends;
-  std::vector<double> sorted = values;
-  for (const auto& levels : {levelsFromEnd(sorted, std::greater<>{}), levelsFromEnd(sorted, std::less<>{})})
+  std::vector<double> reordered = values;
+  for (const auto& levels : {levelsFromEnd(reordered, std::greater<>{}), levelsFromEnd(reordered, std::less<>{})})
     if (const auto at = pileAt(levels, static_cast<Eigen::Index>(fresh.size())); at >= 0)
       ends.push_back(levels[static_cast<std::size_t>(at)].value);
   // Both ends at once is where a channel stands that hardly changes.

@@ -4,9 +4,7 @@
 #include <QPointer>
 #include <chrono>
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
+#include "core/base/heap.h"
 
 namespace heft {
 namespace {
@@ -17,9 +15,7 @@ using Clock = std::chrono::steady_clock;
 void giveMemoryBack(Clock::duration worked) {
   constexpr std::chrono::seconds kLong(2);  // Shorter work comes often, and walking the heap takes a moment.
   if (worked < kLong) return;
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
+  giveFreedMemoryBack();
 }
 
 }  // namespace

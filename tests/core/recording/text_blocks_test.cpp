@@ -2,12 +2,15 @@
 #include "core/recording/text_blocks.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <thread>
+#include <utility>
 
 #include "core/recording/csv_table.h"
 #include "tests/core/recording/sample.h"
@@ -77,7 +80,7 @@ struct Read {
 
 Result<Read> read(const std::string& text, std::size_t size) {
   const auto header = csv::readHeader(text, "t.csv");
-  const auto body = csv::countLines(TextBlocks(header->body, header->newline, size), *header, "t.csv");
+  const auto body = csv::countLines(TextBlocks(header->body, header->newline, size), *header, "t.csv", {});
   if (!body) return body.error();
   Read out;
   out.numbers.assign(static_cast<std::size_t>(body->lines()), 0.0);
@@ -132,6 +135,42 @@ TEST(TableInBlocks, TheFirstOfSeveralMistakesIsNamed) {
     const auto result = read(text, size);
     ASSERT_FALSE(result);
     EXPECT_THAT(result.error().message, HasSubstr("t.csv:22:1"));
+  }
+}
+
+TEST_F(Blocks, AFileThatGotShorterMeanwhileIsNotReadShort) {
+  std::string text = "a,b\n";
+  for (int i = 0; i < 100; ++i) text += "1,2\n";
+  const InputFile file = written(text);
+  const auto header = csv::readHeader(text, "t.csv");
+  const auto body = csv::countLines(TextBlocks(file, 4, '\n', 50), *header, "t.csv", {});
+  ASSERT_TRUE(body);
+  std::filesystem::resize_file(file_, 200);
+  std::vector<csv::Field> fields(2);
+  const auto rows = csv::readRows(*header, *body, fields, "t.csv", {});
+  ASSERT_FALSE(rows);
+  EXPECT_THAT(rows.error().message, HasSubstr("changed while it was read"));
+}
+
+TEST_F(Blocks, APipeIsOpenedOnce) {
+  ASSERT_EQ(::mkfifo(file_.c_str(), 0600), 0);
+  // The writer is gone before the reader has read: who opens the pipe once more waits forever.
+  std::thread writer([&] { std::ofstream(file_) << goodTable(Form::orientation, 30).text(); });
+  const auto result = readRecording(file_);
+  writer.join();
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_EQ(result->recording.rows(), 30);
+}
+
+TEST(TableInBlocks, AZeroByteIsFoundInItsLine) {
+  for (const auto& [text, line] : {std::pair(std::string("1,2\n1,2\n"), 4), {std::string("1,2\n1,"), 3}}) {
+    const csv::Header header{',', '\n', 1, {"a", "b"}, {}};
+    const std::string body = text + std::string(1, '\0') + "2\n";
+    for (const std::size_t size : {1u, 5u, 1000u}) {
+      const auto counted = csv::countLines(TextBlocks(body, '\n', size), header, "t.csv", {});
+      ASSERT_FALSE(counted);
+      EXPECT_THAT(counted.error().message, HasSubstr("t.csv:" + std::to_string(line) + ":"));
+    }
   }
 }
 
