@@ -9940,6 +9940,14 @@ Rauschen %3</translation>
         <source>{}: {}; make it again with heft diagnose REC --json FILE.</source>
         <translation>{}: {}; machen Sie die Datei neu mit heft diagnose REC --json DATEI.</translation>
     </message>
+    <message>
+        <source>the file changed while it was read.</source>
+        <translation>die Datei wurde während des Lesens verändert.</translation>
+    </message>
+    <message>
+        <source>Read it again once it is complete.</source>
+        <translation>Lesen Sie sie noch einmal, sobald sie vollständig ist.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Autosave</name>
