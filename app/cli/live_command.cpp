@@ -19,6 +19,7 @@
 #include "core/estimation/estimate.h"
 #include "core/estimation/judgement.h"
 #include "core/import/import.h"
+#include "core/live/sample_spool.h"
 #include "core/live/session.h"
 #include "core/motion/motion.h"
 #include "core/motion/sensor_axes.h"
@@ -76,56 +77,61 @@ class InterruptGuard {
 class Kept {
  public:
   void add(const LiveSample& sample) {
-    if (samples_.size() < kMostRows) samples_.push_back(sample);
+    if (samples_.empty()) first_ = sample;
+    if (samples_.size() < kMostRows) samples_.add(sample);
   }
   bool empty() const { return samples_.empty(); }
   bool full() const { return samples_.size() == kMostRows; }
-  const LiveSample& first() const { return samples_.front(); }
 
   /// In the form that the first sample has.
   Recording toRecording(const RecordingMeta& meta, const std::string& name) const {
     Recording out;
     out.file = name;
     out.meta = meta;
-    std::vector<const LiveSample*> rows;
-    const bool joints = first().q.has_value();
-    const bool velocities = joints && std::ranges::all_of(samples_, [](const auto& s) { return s.dq.has_value(); });
-    const bool position =
-        !joints && std::ranges::all_of(samples_, [](const auto& s) { return s.position.has_value(); });
-    for (const auto& sample : samples_)
-      if (joints ? sample.q.has_value() : sample.orientation.has_value()) rows.push_back(&sample);
+    const bool joints = first_.q.has_value();
+    const auto isRow = [&](const LiveSample& s) { return joints ? s.q.has_value() : s.orientation.has_value(); };
+    bool velocities = joints, position = !joints, turned = true;
+    Eigen::Index count = 0, lacking = 0;
+    orFail(samples_.forEach([&](const LiveSample& s) {
+      velocities = velocities && s.dq;
+      position = position && s.position;
+      if (!isRow(s)) return;
+      ++count;
+      if (!s.accelerometer) ++lacking;
+      turned = turned && (s.gyroscope || !s.accelerometer);
+    }));
     // Without gaps: this costs a few rows, and more where the acceleration comes from nothing else.
-    const auto unfelt = [](const auto* s) { return !s->accelerometer; };
-    const auto lacking = std::ranges::count_if(rows, unfelt);
-    const bool felt =
-        static_cast<double>(lacking) <= mostWithoutAccelerometer(joints || position) * static_cast<double>(rows.size());
-    if (felt) std::erase_if(rows, unfelt);
-    const bool turned = felt && std::ranges::all_of(rows, [](const auto* s) { return s->gyroscope.has_value(); });
-    const auto count = static_cast<Eigen::Index>(rows.size());
+    const bool felt = static_cast<double>(lacking) <=
+                      mostWithoutAccelerometer(joints || position) * static_cast<double>(count);
+    if (felt) count -= lacking;
+    turned = turned && felt;
     out.time.resize(count);
     out.wrench.resize(count, 6);
-    if (joints) out.q.resize(count, first().joints);
-    if (velocities) out.dq.resize(count, first().joints);
+    if (joints) out.q.resize(count, first_.joints);
+    if (velocities) out.dq.resize(count, first_.joints);
     if (!joints) out.quaternion.resize(count, 4);
     if (position) out.position.resize(count, 3);
     if (felt) out.accelerometer.resize(count, 3);
     if (turned) out.gyroscope.resize(count, 3);
-    for (Eigen::Index k = 0; k < count; ++k) {
-      const LiveSample& sample = *rows[static_cast<std::size_t>(k)];
-      out.time(k) = sample.time - first().time;
-      out.wrench.row(k) = sample.wrench->transpose();
-      for (Eigen::Index j = 0; j < out.q.cols(); ++j) out.q(k, j) = (*sample.q)[static_cast<std::size_t>(j)];
-      for (Eigen::Index j = 0; j < out.dq.cols(); ++j) out.dq(k, j) = (*sample.dq)[static_cast<std::size_t>(j)];
-      if (!joints) out.quaternion.row(k) = sample.orientation->coeffs().transpose();
-      if (position) out.position.row(k) = sample.position->transpose();
-      if (felt) out.accelerometer.row(k) = sample.accelerometer->transpose();
-      if (turned) out.gyroscope.row(k) = sample.gyroscope->transpose();
-    }
+    Eigen::Index k = 0;
+    orFail(samples_.forEach([&](const LiveSample& s) {
+      if (!isRow(s) || (felt && !s.accelerometer)) return;
+      out.time(k) = s.time - first_.time;
+      out.wrench.row(k) = s.wrench->transpose();
+      for (Eigen::Index j = 0; j < out.q.cols(); ++j) out.q(k, j) = (*s.q)[static_cast<std::size_t>(j)];
+      for (Eigen::Index j = 0; j < out.dq.cols(); ++j) out.dq(k, j) = (*s.dq)[static_cast<std::size_t>(j)];
+      if (!joints) out.quaternion.row(k) = s.orientation->coeffs().transpose();
+      if (position) out.position.row(k) = s.position->transpose();
+      if (felt) out.accelerometer.row(k) = s.accelerometer->transpose();
+      if (turned) out.gyroscope.row(k) = s.gyroscope->transpose();
+      ++k;
+    }));
     return out;
   }
 
  private:
-  std::vector<LiveSample> samples_;
+  LiveSample first_;
+  SampleSpool samples_;
 };
 
 std::string troubleLine(const SessionStatus& status) {

@@ -9948,6 +9948,14 @@ Rauschen %3</translation>
         <source>Read it again once it is complete.</source>
         <translation>Lesen Sie sie noch einmal, sobald sie vollständig ist.</translation>
     </message>
+    <message>
+        <source>The samples cannot be read back from the temporary file: {}.</source>
+        <translation>Die Messwerte lassen sich aus der temporären Datei nicht zurücklesen: {}.</translation>
+    </message>
+    <message>
+        <source>The temporary file with the samples ends too early.</source>
+        <translation>Die temporäre Datei mit den Messwerten endet zu früh.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Autosave</name>
