@@ -101,8 +101,8 @@ class Kept {
       turned = turned && (s.gyroscope || !s.accelerometer);
     }));
     // Without gaps: this costs a few rows, and more where the acceleration comes from nothing else.
-    const bool felt = static_cast<double>(lacking) <=
-                      mostWithoutAccelerometer(joints || position) * static_cast<double>(count);
+    const bool felt =
+        static_cast<double>(lacking) <= mostWithoutAccelerometer(joints || position) * static_cast<double>(count);
     if (felt) count -= lacking;
     turned = turned && felt;
     out.time.resize(count);

@@ -24,7 +24,7 @@ bool isLimited(int resource) {
 /// memory.
 void askForLargePages() {
   constexpr std::size_t kLargePage = std::size_t{2} << 20;
-  constexpr std::size_t kMost = std::size_t{4} << 30;  // An hour at 1 kHz takes 1.7 GB.
+  constexpr std::size_t kMost = std::size_t{4} << 30;          // An hour at 1 kHz takes 1.7 GB.
   if (isLimited(RLIMIT_AS) || isLimited(RLIMIT_DATA)) return;  // Address space is scarce.
   const auto memory = static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(::getpagesize());
   const std::size_t size = std::min(kMost, memory / 2);

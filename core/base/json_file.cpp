@@ -71,8 +71,7 @@ Result<std::string> readTextFile(const std::filesystem::path& path, std::size_t 
 Result<std::string> readRest(const InputFile& file, std::size_t maxBytes) {
   const std::size_t size = file.size().value_or(0);
   if (size > maxBytes)
-    return Error{
-        heft::say("{} has {} MB; at most {} MB can be read.", file.name(), size >> 20, maxBytes >> 20)};
+    return Error{heft::say("{} has {} MB; at most {} MB can be read.", file.name(), size >> 20, maxBytes >> 20)};
 
   // One byte more than the file's size: the read that meets the end needs no second buffer. Files that state no size
   // (pipes, /proc) and files that still grow are read on, up to the limit.

@@ -412,8 +412,8 @@ int strideFor(const HeldValues& held, double rateHz) {
   return std::max(held.period * kBlockRate > 0.6 ? 2 : 1, strideOfSlowRows(rateHz));
 }
 
-/// `widest`: the blocks of the motion at the widest band, if they are known and not the prepared ones. `fixed`: the band
-/// was not chosen, but asked for. Smoothing of another kind, and a tool that stands still, are taken as they are.
+/// `widest`: the blocks of the motion at the widest band, if they are known and not the prepared ones. `fixed`: the
+/// band was not chosen, but asked for. Smoothing of another kind, and a tool that stands still, are taken as they are.
 FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                    const Understanding& as, const Prepared& prepared, std::optional<WrenchRows> widest, bool fixed) {
   const LearnedNoise learned{prepared.noise, prepared.weights, {}};
@@ -569,7 +569,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     first.reset();
   }
   auto smoothed = choose && !cutoffOfPart ? bestSmoothed(preparedAt, progress)
-                                    : onlySmoothed(preparedAt(cutoffOfPart.value_or(trial.motion.cutoffHz)));
+                                          : onlySmoothed(preparedAt(cutoffOfPart.value_or(trial.motion.cutoffHz)));
   if (!smoothed) return smoothed.error();
   Prepared* const best = &smoothed->prepared;
   if (choose && !cutoffOfPart && options.motion.outputRateHz <= 0.0) {

@@ -86,8 +86,8 @@ double medianOf(const WrenchSamples& wrench, int channel, Eigen::Index from) {
   return median(std::vector<double>(rows.data(), rows.data() + kLevel));
 }
 
-/// The discharge whose first row is `i`, where the channel leaps, if there is one. `limits`: of each channel, in the part that `i` is in.
-/// `apart`: rows within which no other channel leaps.
+/// The discharge whose first row is `i`, where the channel leaps, if there is one. `limits`: of each channel, in the
+/// part that `i` is in. `apart`: rows within which no other channel leaps.
 std::optional<Discharge> dischargeAt(const WrenchSamples& wrench, Eigen::Index i, int channel,
                                      const std::array<double, 6>& limits, Eigen::Index apart) {
   const double limit = limits[static_cast<std::size_t>(channel)], last = wrench(i - 1, channel);

@@ -20,7 +20,15 @@ namespace {
 constexpr std::size_t kBlock = std::size_t{256} << 10;  // Bytes that are written at once
 
 /// Which of a sample's optional parts are there.
-enum Part : std::uint8_t { kQ = 1, kDq = 2, kPosition = 4, kOrientation = 8, kWrench = 16, kAccelerometer = 32, kGyroscope = 64 };
+enum Part : std::uint8_t {
+  kQ = 1,
+  kDq = 2,
+  kPosition = 4,
+  kOrientation = 8,
+  kWrench = 16,
+  kAccelerometer = 32,
+  kGyroscope = 64
+};
 
 void put(std::string& to, std::span<const double> values) {
   to.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
@@ -112,7 +120,8 @@ Result<bool> SampleSpool::forEach(const std::function<void(const LiveSample&)>& 
   LiveSample sample;
   std::string block;
   for (std::uint64_t at = 0; at < written_;) {
-    const std::size_t left = block.size(), most = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, written_ - at));
+    const std::size_t left = block.size(),
+                      most = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, written_ - at));
     block.resize(left + most);
     const auto got = ::pread(file_, block.data() + left, most, static_cast<off_t>(at));
     if (got < 0 && errno != EINTR)

@@ -9,8 +9,8 @@
 
 namespace heft {
 
-/// Keeps samples in a temporary file without a name, which goes with the program however that ends: an hour at 1 kHz has
-/// some 700 MB. What the disk does not take stays in memory.
+/// Keeps samples in a temporary file without a name, which goes with the program however that ends: an hour at 1 kHz
+/// has some 700 MB. What the disk does not take stays in memory.
 class SampleSpool {
  public:
   SampleSpool();
@@ -27,10 +27,10 @@ class SampleSpool {
  private:
   void putAway();
 
-  int file_;                         ///< A descriptor, or -1
-  std::uint64_t written_ = 0;        ///< Bytes in the file
+  int file_;                           ///< A descriptor, or -1
+  std::uint64_t written_ = 0;          ///< Bytes in the file
   std::vector<std::string> inMemory_;  ///< Blocks that followed when the disk took no more
-  std::string fresh_;                ///< The block that grows
+  std::string fresh_;                  ///< The block that grows
   std::uint64_t size_ = 0;
 };
 

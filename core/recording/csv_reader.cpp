@@ -465,7 +465,8 @@ Result<ReadRecording> readRecording(const std::filesystem::path& csv, const Read
     meta = std::move(*read);
   }
   if (!options.robot.empty()) meta.robot = options.robot;
-  auto result = RecordingParser(std::move(table->header), std::move(table->body), name, std::move(meta)).parse(progress);
+  auto result =
+      RecordingParser(std::move(table->header), std::move(table->body), name, std::move(meta)).parse(progress);
   if (result) result->findings.insert(result->findings.begin(), findings.begin(), findings.end());
   return result;
 }

@@ -168,7 +168,8 @@ struct BlockRows {
 /// Reads one block from its start to its end.
 class RowReader {
  public:
-  /// `fields`: as of the whole table. `line` and `row`: of the block's first line. `most`: lines that were counted here.
+  /// `fields`: as of the whole table. `line` and `row`: of the block's first line. `most`: lines that were counted
+  /// here.
   RowReader(const Header& header, const std::vector<Field>& fields, const std::string& file, std::string_view lines,
             long line, Eigen::Index row, Eigen::Index most)
       : header_(header),
@@ -183,8 +184,8 @@ class RowReader {
         rows_(read_.rows) {
     read_.texts.resize(fields.size());
     for (std::size_t f = 0; f < fields.size(); ++f)
-      fields_.push_back({fields[f].numbers ? fields[f].numbers + row : nullptr,
-                         fields[f].text ? &read_.texts[f] : nullptr});
+      fields_.push_back(
+          {fields[f].numbers ? fields[f].numbers + row : nullptr, fields[f].text ? &read_.texts[f] : nullptr});
     rows_.lines.reserve(most_);
   }
 

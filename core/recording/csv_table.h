@@ -43,7 +43,7 @@ Result<Body> countLines(TextBlocks blocks, const Header& header, const std::stri
 
 /// What becomes of one field of every row.
 struct Field {
-  double* numbers = nullptr;                 ///< Room for as many numbers as there are lines; blank or non-finite cells become NaN.
+  double* numbers = nullptr;  ///< Room for as many numbers as there are lines; blank or non-finite cells become NaN.
   std::vector<std::string>* text = nullptr;  ///< Cells without quotes and outer blanks are appended.
   Eigen::Index missing = 0;                  ///< Result: how many numbers are NaN.
   long firstMissingLine = 0;                 ///< Result.

@@ -49,8 +49,7 @@ Recording excerpt(const Recording& recording, Eigen::Index from, Eigen::Index to
   take(recording.accelerometer, out.accelerometer);
   take(recording.gyroscope, out.gyroscope);
   take(recording.wrench, out.wrench);
-  if (!recording.labels.empty())
-    out.labels.assign(recording.labels.begin() + from, recording.labels.begin() + to);
+  if (!recording.labels.empty()) out.labels.assign(recording.labels.begin() + from, recording.labels.begin() + to);
   return out;
 }
 

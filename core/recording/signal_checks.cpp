@@ -210,7 +210,7 @@ class SignalChecker {
     if (count < 3 || rows_ < 20 * count) return;
     const auto force = recording_.wrench.leftCols<3>();
     const double start = force.topRows(count).colwise().mean().norm();
-    constexpr double kSpikes = 0.01;  // Share of the rows at either end that may be spikes
+    constexpr double kSpikes = 0.01;       // Share of the rows at either end that may be spikes
     constexpr double kNearNothing = 0.02;  // Of the range
     // Spikes only widen the range: where it is too narrow with them, they need not be looked for.
     if (start > kNearNothing * (force.colwise().maxCoeff() - force.colwise().minCoeff()).norm()) return;

@@ -25,8 +25,8 @@ class TextBlocks {
     std::string_view lines;
     std::uint64_t at = 0;  ///< Where they begin, in bytes from the beginning of the text or file
   };
-  /// The lines that begin in the `i`-th part of the text, the last one as a whole; none where one line covers it. `room`
-  /// holds them if they come from a file. Fails where the file cannot be read.
+  /// The lines that begin in the `i`-th part of the text, the last one as a whole; none where one line covers it.
+  /// `room` holds them if they come from a file. Fails where the file cannot be read.
   Result<Block> block(std::size_t i, std::string& room) const;
 
  private:

@@ -134,8 +134,7 @@ CappedFit cappedFit(const FitWindows& windows, std::size_t from, std::size_t to,
   for (std::size_t start = 1; start < beginnings.size(); ++start)
     for (int i = 0; i < 8; ++i) beginnings[start] += windows.matrices[members[random() % members.size()]];
   std::vector<CappedFit> best(beginnings.size());
-  parallelFor(best.size(),
-              [&](std::size_t i) { best[i] = concentrate({solveNormal(beginnings[i], prior), 0.0}, 2); });
+  parallelFor(best.size(), [&](std::size_t i) { best[i] = concentrate({solveNormal(beginnings[i], prior), 0.0}, 2); });
   const auto byEnergy = [](const CappedFit& a, const CappedFit& b) { return a.energy < b.energy; };
   std::sort(best.begin(), best.end(), byEnergy);
   best.resize(std::min<std::size_t>(best.size(), 5));

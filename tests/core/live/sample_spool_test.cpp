@@ -42,7 +42,9 @@ void expectSame(const LiveSample& a, const LiveSample& b) {
   EXPECT_EQ(a.accelerometer, b.accelerometer);
   EXPECT_EQ(a.gyroscope, b.gyroscope);
   ASSERT_EQ(a.orientation.has_value(), b.orientation.has_value());
-  if (a.orientation) EXPECT_EQ(a.orientation->coeffs(), b.orientation->coeffs());
+  if (a.orientation) {
+    EXPECT_EQ(a.orientation->coeffs(), b.orientation->coeffs());
+  }
 }
 
 void expectAllBack(int count) {

@@ -24,7 +24,9 @@ using testing::HasSubstr;
 
 class Blocks : public testing::Test {
  protected:
-  void SetUp() override { file_ = std::filesystem::temp_directory_path() / ("heft_blocks_" + std::to_string(::getpid())); }
+  void SetUp() override {
+    file_ = std::filesystem::temp_directory_path() / ("heft_blocks_" + std::to_string(::getpid()));
+  }
   void TearDown() override { std::filesystem::remove(file_); }
   InputFile written(const std::string& text) const {
     std::ofstream(file_, std::ios::binary) << text;
@@ -50,7 +52,8 @@ TEST_F(Blocks, HoldEachLineOnce) {
   std::mt19937 random(20261130);
   for (int repeat = 0; repeat < 200; ++repeat) {
     std::string text;
-    for (int line = 0; line < 20; ++line) text += std::string(random() % 4 == 0 ? random() % 90 : random() % 6, 'x') + "\n";
+    for (int line = 0; line < 20; ++line)
+      text += std::string(random() % 4 == 0 ? random() % 90 : random() % 6, 'x') + "\n";
     if (random() % 2 == 0) text += "end";
     const std::size_t size = 1 + random() % 40;
     EXPECT_EQ(joined(TextBlocks(text, '\n', size), '\n'), text);
