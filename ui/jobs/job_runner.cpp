@@ -3,6 +3,7 @@
 #include <QMetaObject>
 #include <QPointer>
 #include <chrono>
+#include <utility>
 
 #include "core/base/heap.h"
 
@@ -51,7 +52,7 @@ void JobRunner::launch(const QString& title, Task task) {
   workers_[ticket] = std::jthread([this, ticket, shared = shared_,
                                    task = std::move(task)](std::stop_token stop) mutable {
     Progress progress;
-    progress.stop = stop;
+    progress.stop = std::move(stop);
     progress.report = [shared](double fraction, std::string_view what) {
       const std::lock_guard lock(shared->mutex);
       shared->fraction = fraction;
