@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/parallel.h"
 #include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/base/stop.h"
+#include "core/estimation/smoothing_choice.h"
 #include "core/estimation/spikes.h"
 #include "core/estimation/standstill.h"
 #include "core/estimation/swing.h"
@@ -329,43 +329,6 @@ Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robo
 /// [s] Of a recording more than twice as long, the smoothing is chosen on so much of its middle: how noisy an arm's
 /// angles are does not change with time.
 constexpr double kChoiceSpan = 150.0;
-
-/// A recording prepared with the smoothing that predicts its wrench best.
-struct Smoothed {
-  Prepared prepared;
-  /// Blocks of the widest band, where a narrower one was chosen: the wrench is then smoothed with the motion.
-  std::optional<WrenchRows> widest;
-};
-
-Result<Smoothed> onlySmoothed(Result<Prepared> prepared) {
-  if (!prepared) return prepared.error();
-  return Smoothed{std::move(*prepared), std::nullopt};
-}
-
-/// `preparedAt(cutoff)`: a Result<Prepared>.
-template <class PreparedAt>
-Result<Smoothed> bestSmoothed(const PreparedAt& preparedAt, const Progress& progress) {
-  // Noise of angles grows in accelerations with the square of the frequency: where a narrower band gains nothing, those
-  // narrower still are not asked. Two at a time, as there are two threads.
-  constexpr std::array<double, 4> kCutoffs{kDefaultCutoffHz, 12.0, 6.0, 3.0};
-  std::array<std::optional<Result<Prepared>>, kCutoffs.size()> prepared;
-  const auto prepareTwo = [&](std::size_t from) {
-    parallelFor(2, [&](std::size_t i) { prepared[from + i].emplace(preparedAt(kCutoffs[from + i])); });
-  };
-  prepareTwo(0);
-  auto best = onlySmoothed(std::move(*prepared[0]));
-  if (!best) return best;
-  for (std::size_t i = 1; i < kCutoffs.size(); ++i) {
-    if (i == 2) prepareTwo(2);
-    if (progress.cancelled()) return Error{"Stopped.", true};
-    auto next = std::move(*prepared[i]);
-    prepared[i].reset();
-    if (!next || advantage(best->prepared, *next) < kWorthSmoothing) break;
-    if (!best->widest) best->widest = std::move(best->prepared.blocks);
-    best->prepared = std::move(*next);
-  }
-  return best;
-}
 
 /// The cut-off that bestSmoothed() has for the middle of a long recording. Fails where that tells too little.
 Result<double> cutoffOfMiddle(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,

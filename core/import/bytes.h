@@ -5,10 +5,11 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "core/base/input_file.h"
 #include "core/base/result.h"
 
 namespace heft {
@@ -70,9 +71,10 @@ class ByteFile {
   std::string read(std::uint64_t offset, std::uint64_t count) const;
 
  private:
-  struct Descriptor;
-  std::shared_ptr<const Descriptor> file_;
-  std::uint64_t size_ = 0;
+  explicit ByteFile(InputFile file) : file_(std::move(file)), size_(file_.size().value_or(0)) {}
+
+  InputFile file_;
+  std::uint64_t size_;
 };
 
 /// Bytes of a file, or of the memory, a piece at a time: what is passed over is never read.

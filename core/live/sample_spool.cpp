@@ -67,17 +67,16 @@ bool take(std::string_view& from, LiveSample& sample) {
   return whole;
 }
 
-int unnamedFile() {
-  std::error_code none;
-  std::string path = (std::filesystem::temp_directory_path(none) / "heft-live-XXXXXX").string();
-  const int file = ::mkostemp(path.data(), O_CLOEXEC);
-  if (file >= 0) ::unlink(path.c_str());
-  return file;
-}
-
 }  // namespace
 
-SampleSpool::SampleSpool() : file_(unnamedFile()) {}
+SampleSpool::SampleSpool() {
+  std::error_code none;
+  std::string path = (std::filesystem::temp_directory_path(none) / "heft-live-XXXXXX").string();
+  file_ = ::mkostemp(path.data(), O_CLOEXEC);
+  if (file_ < 0) return;
+  if (auto file = InputFile::open(path)) readBack_ = std::move(*file);
+  ::unlink(path.c_str());
+}
 
 SampleSpool::~SampleSpool() {
   if (file_ >= 0) ::close(file_);
@@ -103,7 +102,7 @@ void SampleSpool::add(const LiveSample& sample) {
 
 void SampleSpool::putAway() {
   std::size_t done = 0;
-  while (file_ >= 0 && inMemory_.empty() && done < fresh_.size()) {
+  while (readBack_ && inMemory_.empty() && done < fresh_.size()) {
     const auto put = ::pwrite(file_, fresh_.data() + done, fresh_.size() - done, static_cast<off_t>(written_ + done));
     if (put < 0 && errno == EINTR) continue;
     if (put <= 0) break;
@@ -120,15 +119,12 @@ Result<bool> SampleSpool::forEach(const std::function<void(const LiveSample&)>& 
   LiveSample sample;
   std::string block;
   for (std::uint64_t at = 0; at < written_;) {
-    const std::size_t left = block.size(),
-                      most = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, written_ - at));
-    block.resize(left + most);
-    const auto got = ::pread(file_, block.data() + left, most, static_cast<off_t>(at));
-    if (got < 0 && errno != EINTR)
-      return Error{heft::say("The samples cannot be read back from the temporary file: {}.", std::strerror(errno))};
-    if (got == 0) return Error{heft::say("The temporary file with the samples ends too early.")};
-    block.resize(left + static_cast<std::size_t>(std::max<ssize_t>(0, got)));
-    at += static_cast<std::uint64_t>(std::max<ssize_t>(0, got));
+    const std::size_t left = block.size();
+    block.resize(left + static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, written_ - at)));
+    const auto got = readBack_->readAt(at, block.data() + left, block.size() - left);
+    if (!got) return got.error();
+    if (left + *got < block.size()) return Error{heft::say("The temporary file with the samples ends too early.")};
+    at += *got;
     std::string_view rest = block;
     while (take(rest, sample)) each(sample);
     block.erase(0, block.size() - rest.size());

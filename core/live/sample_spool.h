@@ -2,9 +2,11 @@
 // Samples of a long run, kept on disk until its end.
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/input_file.h"
 #include "core/live/source.h"
 
 namespace heft {
@@ -27,7 +29,8 @@ class SampleSpool {
  private:
   void putAway();
 
-  int file_;                           ///< A descriptor, or -1
+  int file_ = -1;                      ///< Its descriptor for writing; -1 without a file
+  std::optional<InputFile> readBack_;  ///< The same, for reading
   std::uint64_t written_ = 0;          ///< Bytes in the file
   std::vector<std::string> inMemory_;  ///< Blocks that followed when the disk took no more
   std::string fresh_;                  ///< The block that grows

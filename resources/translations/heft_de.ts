@@ -9949,10 +9949,6 @@ Rauschen %3</translation>
         <translation>Lesen Sie sie noch einmal, sobald sie vollständig ist.</translation>
     </message>
     <message>
-        <source>The samples cannot be read back from the temporary file: {}.</source>
-        <translation>Die Messwerte lassen sich aus der temporären Datei nicht zurücklesen: {}.</translation>
-    </message>
-    <message>
         <source>The temporary file with the samples ends too early.</source>
         <translation>Die temporäre Datei mit den Messwerten endet zu früh.</translation>
     </message>
