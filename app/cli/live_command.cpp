@@ -179,10 +179,10 @@ json statusJson(const SessionStatus& status) {
 class StatusLine {
  public:
   StatusLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
+  /// Whether it is time for the next.
+  bool due() const { return hostNow() - last_ >= (terminal_ ? kShowEvery : kLineEvery); }
   void show(const std::string& text) {
-    const double now = hostNow();
-    if (now - last_ < (terminal_ ? kShowEvery : kLineEvery)) return;
-    last_ = now;
+    last_ = hostNow();
     if (terminal_)
       tell(fmt::format("\r\033[K{}", text));
     else
@@ -241,9 +241,9 @@ class LiveRun {
     session_.setConventions(meta_.conventions);
     if (!options_.record.empty()) orFail(session_.record(options_.record, meta_));
     orFail(session_.start());
+    StatusLine line;
     {
       const InterruptGuard guard;
-      StatusLine line;
       const double start = hostNow();
       while (!interrupted && !(options_.duration > 0.0 && hostNow() - start >= options_.duration)) {
         const bool finished = allFinished();
@@ -258,15 +258,18 @@ class LiveRun {
           if (kept_.empty()) throw Failed(source.text);
           sourceProblem_ = source.text;
         }
-        if (running_)
-          for (const auto& news : running_->news()) line.say(news);
-        line.show((running_ ? running_->line() : waitingFor(status)) + troubleLine(status));
+        // What there is to say costs more than to take the samples.
+        if (finished || line.due()) {
+          sayNews(line);
+          line.show((running_ ? running_->line() : waitingFor(status)) + troubleLine(status));
+        }
         if (finished || !sourceProblem_.empty()) break;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
       }
     }
     session_.stop();
     takeNew();
+    sayNews(line);
     status_ = session_.status();
     recordingProblem_ = status_.recordingProblem;
     session_.endRecording();
@@ -333,6 +336,11 @@ class LiveRun {
       kept_.add(sample);
       running_->add(sample);
     }
+  }
+
+  void sayNews(StatusLine& line) {
+    if (!running_) return;
+    for (const auto& news : running_->news()) line.say(news);
   }
 
   /// The first sample shows whether there are joint angles, and so which arm is needed.

@@ -148,9 +148,11 @@ bool mostlyMotion(const FitRows& band) {
 }
 
 /// With standard deviations that hold although the noise was learned from the same rows.
-FitRows asCertain(FitRows band, const KnownOfNoise& known) {
+FitRows asCertain(FitRows band, const FitRowsQuestion& of) {
   stopPoint();
-  band.whitened /= shortfallOfLearning(band.rows, band.noise, band.runs, known.at(band.stride));
+  band.shortfall =
+      of.shortfall ? *of.shortfall : shortfallOfLearning(band.rows, band.noise, band.runs, of.known.at(band.stride));
+  band.whitened /= band.shortfall;
   return band;
 }
 
@@ -164,12 +166,11 @@ FitRows fitRowsOf(FitRowsQuestion of) {
   };
   int predicts = std::max(of.predicts, of.atLeast);
   while (!enough(predicts)) predicts = std::max(1, predicts / 2);
-  if (!of.noisier || of.noisier->size() != of.blocks.size())
-    return asCertain(rowsAt(predicts, of, std::nullopt), of.known);
+  if (!of.noisier || of.noisier->size() != of.blocks.size()) return asCertain(rowsAt(predicts, of, std::nullopt), of);
   std::optional<WrenchRows> difference = std::move(of.noisier);
   for (std::size_t k = 0; k < difference->Y.size(); ++k) difference->Y[k] -= of.blocks.Y[k];
   difference->wrench.setZero();
-  if (of.fixed) return asCertain(rowsAt(predicts, of, difference), of.known);
+  if (of.fixed) return asCertain(rowsAt(predicts, of, difference), of);
   std::vector<FitRows> bands;
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -192,7 +193,7 @@ FitRows fitRowsOf(FitRowsQuestion of) {
     const Fit other = fitOf(bands[i].whitened);
     if ((chosen.phi - other.phi).cwiseQuotient(other.std).cwiseAbs().maxCoeff() > kAgree) best = i;
   }
-  return asCertain(std::move(bands[best]), of.known);
+  return asCertain(std::move(bands[best]), of);
 }
 
 }  // namespace heft

@@ -28,6 +28,7 @@ struct FitRows {
   double bias = 0.0;
   /// Share of what the fit leaves over that the motion's noise makes.
   double share = 0.0;
+  double shortfall = 1.0;  ///< shortfallOfLearning(); `whitened` accounts for it.
 };
 
 /// The band in which the payload is known best, errors by what is not known of the motion's noise counted: all of the
@@ -42,6 +43,7 @@ struct FitRowsQuestion {
   int predicts = 1;                       ///< The stride that predicts the wrench best.
   int atLeast = 1;                        ///< In wider bands motion and wrench are not filtered alike.
   bool fixed = false;                     ///< No other will do.
+  std::optional<double> shortfall{};      ///< shortfallOfLearning(), if it is known.
 };
 FitRows fitRowsOf(FitRowsQuestion question);
 

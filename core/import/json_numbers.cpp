@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/import/date_time.h"
@@ -29,15 +30,19 @@ std::optional<double> numberIn(std::string_view text) {
 }
 
 bool flatten(const json& node, const std::string& path, std::size_t depth, NamedNumbers& out) {
-  if (out.size() > kMostNumbers || depth > kDeepestArray) return false;
+  const auto add = [&](double value) {
+    out.names.push_back(path);
+    out.values.push_back(value);
+  };
+  if (out.names.size() > kMostNumbers || depth > kDeepestArray) return false;
   if (node.is_number()) {
-    out.emplace_back(path, node.get<double>());
+    add(node.get<double>());
   } else if (node.is_boolean()) {
-    out.emplace_back(path, node.get<bool>() ? 1.0 : 0.0);
+    add(node.get<bool>() ? 1.0 : 0.0);
   } else if (node.is_string()) {
-    if (const auto value = numberIn(node.get_ref<const std::string&>())) out.emplace_back(path, *value);
+    if (const auto value = numberIn(node.get_ref<const std::string&>())) add(*value);
   } else if (node.is_null()) {
-    out.emplace_back(path, std::numeric_limits<double>::quiet_NaN());
+    add(std::numeric_limits<double>::quiet_NaN());
   } else if (node.is_array()) {
     for (std::size_t i = 0; i < node.size(); ++i) {
       // Transforms come in any order; each is called after its child frame.
@@ -82,7 +87,7 @@ std::pair<std::string, std::string> envelopeOf(const json& object) {
 /// where they are, one clock for all.
 void nameAfterTopic(const std::string& topic, const std::string& key, NamedNumbers& numbers) {
   const std::string inside = key + ".", header = inside + "header.";
-  for (auto& [name, value] : numbers)
+  for (auto& name : numbers.names)
     if (name.starts_with(inside) && !name.starts_with(header)) name = topic + "/" + name.substr(inside.size());
 }
 
@@ -106,6 +111,60 @@ bool isTooDeep(std::string_view text) {
     }
   }
   return false;
+}
+
+bool flattenJson(std::string_view text, NamedNumbers& out) {
+  out.names.clear();
+  out.values.clear();
+  if (isTooDeep(text)) return false;
+  const json object = json::parse(withoutBareNaN(text), nullptr, false);
+  if (!object.is_object() || !flatten(object, {}, 0, out)) return false;
+  if (const auto [topic, key] = envelopeOf(object); !topic.empty()) nameAfterTopic(topic, key, out);
+  return true;
+}
+
+/// Reads a number by JSON's grammar (RFC 8259, section 6). Returns the first character after it; `first` if there is
+/// none, or none that a double can hold.
+const char* jsonNumber(const char* first, const char* last, double& value) {
+  const auto digits = [last](const char* at) {
+    while (at != last && *at >= '0' && *at <= '9') ++at;
+    return at;
+  };
+  const char* at = first;
+  if (at != last && *at == '-') ++at;
+  const char* end = digits(at);
+  if (end == at || (*at == '0' && end - at > 1)) return first;
+  if (end != last && *end == '.') {
+    at = end + 1;
+    end = digits(at);
+    if (end == at) return first;
+  }
+  if (end != last && (*end == 'e' || *end == 'E')) {
+    at = end + 1;
+    if (at != last && (*at == '+' || *at == '-')) ++at;
+    end = digits(at);
+    if (end == at) return first;
+  }
+  return csv::parseNumber(first, end, value) == end && std::isfinite(value) ? end : first;
+}
+
+/// Where JSON's numbers stand in a text.
+std::vector<std::string_view> numbersIn(std::string_view text) {
+  std::vector<std::string_view> out;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"') quoted = !quoted;
+    if (quoted && c == '\\') ++i;
+    if (quoted || !(c == '-' || (c >= '0' && c <= '9'))) continue;
+    double value = 0.0;
+    const char* const end = jsonNumber(text.data() + i, text.data() + text.size(), value);
+    const auto length = static_cast<std::size_t>(end - (text.data() + i));
+    if (length == 0) continue;
+    out.push_back(text.substr(i, length));
+    i += length - 1;
+  }
+  return out;
 }
 
 /// Arrays of an object, also of objects in it, by their paths.
@@ -146,13 +205,72 @@ std::string withoutBareNaN(std::string_view text) {
   return out;
 }
 
-bool flattenJson(std::string_view text, NamedNumbers& out) {
-  out.clear();
-  if (isTooDeep(text)) return false;
-  const json object = json::parse(withoutBareNaN(text), nullptr, false);
-  if (!object.is_object() || !flatten(object, {}, 0, out)) return false;
-  if (const auto [topic, key] = envelopeOf(object); !topic.empty()) nameAfterTopic(topic, key, out);
+bool JsonNumbers::Layout::read(std::string_view text) {
+  const char* at = text.data();
+  const char* const last = at + text.size();
+  const auto passes = [&](const std::string& expected) {
+    if (!std::string_view(at, static_cast<std::size_t>(last - at)).starts_with(expected)) return false;
+    at += expected.size();
+    return true;
+  };
+  for (std::size_t i = 0; i < inText.size(); ++i) {
+    if (!passes(between[i])) return false;
+    const char* const end = jsonNumber(at, last, inText[i]);
+    if (end == at) return false;
+    at = end;
+  }
+  if (!passes(between.back()) || at != last) return false;
+  for (std::size_t k = 0; k < source.size(); ++k)
+    if (source[k]) numbers.values[k] = inText[*source[k]];
   return true;
+}
+
+/// Which number becomes which is read from the same text with numbers that say where they stand.
+std::optional<JsonNumbers::Layout> JsonNumbers::layoutOf(std::string_view text, const NamedNumbers& numbers) {
+  constexpr std::size_t kShift = 1'000'000;
+  Layout out;
+  out.numbers = numbers;
+  const auto places = numbersIn(text);
+  out.inText.resize(places.size());
+  std::string counted, shifted;
+  const char* at = text.data();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    out.between.emplace_back(at, places[i].data());
+    at = places[i].data() + places[i].size();
+    counted += out.between.back() + std::to_string(i);
+    shifted += out.between.back() + std::to_string(i + kShift);
+  }
+  out.between.emplace_back(at, text.data() + text.size());
+  counted += out.between.back();
+  shifted += out.between.back();
+  NamedNumbers once, twice;
+  if (!flattenJson(counted, once) || !flattenJson(shifted, twice)) return std::nullopt;
+  if (once.names != numbers.names || twice.names != numbers.names) return std::nullopt;
+  for (std::size_t k = 0; k < once.values.size(); ++k) {
+    const bool stated = twice.values[k] - once.values[k] == static_cast<double>(kShift);
+    out.source.push_back(stated ? std::optional(static_cast<std::size_t>(once.values[k])) : std::nullopt);
+  }
+  return out;
+}
+
+const NamedNumbers* JsonNumbers::read(std::string_view text) {
+  constexpr std::size_t kMostLayouts = 16;         ///< Senders to one port, topics of one connection
+  constexpr std::size_t kLongestLayout = 1 << 16;  ///< Characters; more than 4096 numbers take
+  for (std::size_t i = 0; i < layouts_.size(); ++i) {
+    if (!layouts_[i].read(text)) continue;
+    ++useful_;
+    if (i > 0) std::swap(layouts_[i], layouts_[0]);
+    return &layouts_.front().numbers;
+  }
+  if (!flattenJson(text, other_)) return nullptr;
+  // Of a sender whose texts change each time nothing is learned.
+  if (text.size() <= kLongestLayout && (learned_ < kMostLayouts || learned_ < useful_))
+    if (auto layout = layoutOf(text, other_)) {
+      ++learned_;
+      if (layouts_.size() == kMostLayouts) layouts_.pop_back();
+      layouts_.push_front(std::move(*layout));
+    }
+  return &other_;
 }
 
 std::vector<std::string> rowsOfJsonTable(std::string_view text) {

@@ -134,17 +134,14 @@ class TopicReader {
   }
 
   bool decodeJson(std::string_view bytes) {
-    if (!flattenJson(bytes, numbers_)) return false;
-    jsonChanged_ = numbers_.size() != jsonNames_.size();
-    for (std::size_t i = 0; i < numbers_.size() && !jsonChanged_; ++i)
-      jsonChanged_ = numbers_[i].first != jsonNames_[i];
-    jsonNames_.resize(numbers_.size());
-    jsonValues_.resize(numbers_.size());
+    const NamedNumbers* const read = json_.read(bytes);
+    if (read == nullptr) return false;
+    jsonChanged_ = read->names != jsonNames_;
+    if (jsonChanged_) jsonNames_ = read->names;
+    jsonValues_ = read->values;
     std::optional<double> seconds;
     double nanos = 0.0;
-    for (std::size_t i = 0; i < numbers_.size(); ++i) {
-      jsonNames_[i] = numbers_[i].first;
-      jsonValues_[i] = numbers_[i].second;
+    for (std::size_t i = 0; i < jsonNames_.size(); ++i) {
       if (jsonNames_[i] == "header.stamp.sec" || jsonNames_[i] == "header.stamp.secs") seconds = jsonValues_[i];
       if (jsonNames_[i].starts_with("header.stamp.nsec") || jsonNames_[i] == "header.stamp.nanosec")
         nanos = jsonValues_[i];
@@ -170,7 +167,7 @@ class TopicReader {
   std::unordered_map<std::string, std::size_t> byName_;
   std::vector<bool> wanted_;
   std::vector<std::optional<std::size_t>> slots_;  ///< Field of each number of the message, if it is wanted.
-  NamedNumbers numbers_;
+  JsonNumbers json_;
   std::vector<std::string> jsonNames_;
   std::vector<double> jsonValues_;
   std::int64_t jsonStamp_ = 0;

@@ -148,9 +148,8 @@ Result<FileKind> recognise(const std::filesystem::path& path) {
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) return FileKind::table;
   const auto content = bytes.find_first_not_of(" \t\r\n");
   if (content != std::string_view::npos && bytes[content] == '{') {
-    NamedNumbers numbers;
     const auto line = bytes.substr(content, bytes.find('\n', content) - content);
-    if (flattenJson(line, numbers)) return FileKind::jsonLines;
+    if (JsonNumbers().read(line) != nullptr) return FileKind::jsonLines;
   }
   if (content != std::string_view::npos && (bytes[content] == '{' || bytes[content] == '[')) {
     const auto after = bytes.find_first_not_of(" \t\r\n", content + 1);

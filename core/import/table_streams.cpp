@@ -373,13 +373,12 @@ Result<StreamSet> readJsonLines(const std::filesystem::path& path, const TimeCho
   std::size_t bad = 0;
   long line = 0;
   long firstBad = 0;
-  NamedNumbers numbers;
+  JsonNumbers objects;
   std::string_view rest = *text;
   std::string asLines;
-  NamedNumbers first;
   const auto begin = rest.find_first_not_of(" \t\r\n");
   const bool lines = begin != std::string_view::npos && rest[begin] == '{' &&
-                     flattenJson(rest.substr(begin, rest.find('\n', begin) - begin), first);
+                     objects.read(rest.substr(begin, rest.find('\n', begin) - begin)) != nullptr;
   if (!lines) {
     for (const auto& row : rowsOfJsonTable(rest)) asLines += row + "\n";
     if (!asLines.empty()) rest = asLines;
@@ -396,11 +395,13 @@ Result<StreamSet> readJsonLines(const std::filesystem::path& path, const TimeCho
     while (!content.empty() && (content.back() == '\r' || content.back() == ' ' || content.back() == ','))
       content.remove_suffix(1);
     if (content.find_first_not_of(" \t") == std::string_view::npos) continue;
-    if (!flattenJson(content, numbers)) {
+    const NamedNumbers* const numbers = objects.read(content);
+    if (numbers == nullptr) {
       if (bad++ == 0) firstBad = line;
       continue;
     }
-    for (const auto& [name, value] : numbers) {
+    for (std::size_t i = 0; i < numbers->names.size(); ++i) {
+      const std::string& name = numbers->names[i];
       const auto [entry, fresh] = byName.try_emplace(name, table.names.size());
       if (fresh) {
         if (table.names.size() >= 10000) continue;
@@ -410,7 +411,7 @@ Result<StreamSet> readJsonLines(const std::filesystem::path& path, const TimeCho
       if (entry->second >= table.columns.size()) continue;
       auto& column = table.columns[entry->second];
       column.resize(rows, kNoNumber);
-      column.push_back(value);
+      column.push_back(numbers->values[i]);
     }
     ++rows;
     if (rows * table.names.size() > kMaxStreamNumbers)

@@ -121,18 +121,15 @@ void BridgeSource::take(const std::string& topic, const std::string& type, const
 
 void BridgeSource::take(const std::string& topic, const std::string& type, const NamedNumbers& numbers,
                         std::int64_t fallback) {
-  names_.resize(numbers.size());
-  values_.resize(numbers.size());
   std::int64_t stamp = 0;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const auto& [name, value] = numbers[i];
-    names_[i] = name;
-    values_[i] = value;
+  for (std::size_t i = 0; i < numbers.names.size(); ++i) {
+    const auto& name = numbers.names[i];
+    const double value = numbers.values[i];
     if (name == "header.stamp.sec" || name == "header.stamp.secs") stamp += nanoseconds(value);
     if (name == "header.stamp.nanosec" || name == "header.stamp.nsec" || name == "header.stamp.nsecs")
       stamp += nanoseconds(1e-9 * value);
   }
-  take(topic, type, names_, values_, stamp != 0 ? stamp : fallback);
+  take(topic, type, numbers.names, numbers.values, stamp != 0 ? stamp : fallback);
 }
 
 }  // namespace heft

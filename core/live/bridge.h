@@ -51,8 +51,6 @@ class BridgeSource : public ThreadedSource {
   StampClock clock_;
   std::map<std::string, std::int64_t> lastStamp_;
   bool configuredTold_ = false;  ///< On this connection
-  std::vector<std::string> names_;
-  std::vector<double> values_;
 };
 
 }  // namespace heft

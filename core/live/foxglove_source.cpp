@@ -128,8 +128,9 @@ class FoxgloveSource : public BridgeSource {
     auto& channel = found->second;
     const auto payload = std::string_view(bytes).substr(reader.position());
     if (channel.json) {
-      if (!flattenJson(payload, numbers_)) return false;
-      take(channel.topic, channel.type, numbers_, logged);
+      const auto* const numbers = json_.read(payload);
+      if (numbers == nullptr) return false;
+      take(channel.topic, channel.type, *numbers, logged);
       return true;
     }
     if (!channel.decoder->decode(payload)) return false;
@@ -141,7 +142,7 @@ class FoxgloveSource : public BridgeSource {
   std::map<std::uint32_t, Channel> channels_;   ///< By subscription.
   bool jointsOffered_ = false;                  ///< Then transforms are not needed.
   std::map<std::uint64_t, std::uint32_t> ids_;  ///< Subscription of each channel.
-  NamedNumbers numbers_;
+  JsonNumbers json_;
 };
 
 }  // namespace

@@ -52,18 +52,14 @@ class JsonUdpSource : public ThreadedSource {
   }
 
  private:
-  void take(const std::string& bytes, double now) {
-    if (!flattenJson(bytes, numbers_)) {
+  void take(std::string_view bytes, double now) {
+    const NamedNumbers* const numbers = json_.read(bytes);
+    if (numbers == nullptr) {
       count([](SourceStatus& status) { ++status.malformed; });
       return;
     }
-    names_.resize(numbers_.size());
-    values_.resize(numbers_.size());
-    for (std::size_t i = 0; i < numbers_.size(); ++i) {
-      names_[i] = numbers_[i].first;
-      values_[i] = numbers_[i].second;
-    }
-    auto sample = mapper_.map({}, {}, names_, values_);
+    const std::vector<double>& values = numbers->values;
+    auto sample = mapper_.map({}, {}, numbers->names, values);
     if (!sample) {
       count([](SourceStatus& status) {
         ++status.malformed;
@@ -72,9 +68,13 @@ class JsonUdpSource : public ThreadedSource {
       return;
     }
     sample->time = now;
-    if (const auto time = findTime(names_, {}); time && std::isfinite(values_[time->index])) {
-      const double unit = time->unitKnown ? time->unit : unitOfTimes({values_[time->index]});
-      const double stamp = values_[time->index] * unit;
+    if (numbers->names != timedNames_) {
+      timedNames_ = numbers->names;
+      time_ = findTime(timedNames_, {});
+    }
+    if (time_ && std::isfinite(values[time_->index])) {
+      const double unit = time_->unitKnown ? time_->unit : unitOfTimes({values[time_->index]});
+      const double stamp = values[time_->index] * unit;
       // A sender that begins anew, seconds back, is a new beginning; less is a packet that took another way.
       if (lastStamp_ && stamp <= *lastStamp_ && stamp > *lastStamp_ - 5.0) {
         count([](SourceStatus& status) { ++status.reordered; });
@@ -94,9 +94,9 @@ class JsonUdpSource : public ThreadedSource {
   FieldMapper mapper_;
   StampClock clock_;
   std::optional<double> lastStamp_;
-  NamedNumbers numbers_;
-  std::vector<std::string> names_;
-  std::vector<double> values_;
+  JsonNumbers json_;
+  std::vector<std::string> timedNames_;  ///< Of the numbers among which time_ was found.
+  std::optional<TimeColumn> time_;
 };
 
 }  // namespace

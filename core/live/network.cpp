@@ -22,6 +22,7 @@ namespace heft {
 namespace {
 
 constexpr std::size_t kLargestBody = 1u << 20;
+constexpr std::size_t kLongestBlock = 1u << 16;  ///< That is received at once; no datagram is longer.
 
 using Addresses = std::unique_ptr<addrinfo, void (*)(addrinfo*)>;
 
@@ -71,27 +72,36 @@ Result<UdpSocket> UdpSocket::connected(const std::string& host, std::uint16_t po
 }
 
 UdpSocket::UdpSocket(UdpSocket&& other) noexcept
-    : number_(std::exchange(other.number_, -1)), sender_(std::move(other.sender_)) {}
+    : number_(std::exchange(other.number_, -1)),
+      sender_(std::move(other.sender_)),
+      bytes_(std::move(other.bytes_)),
+      timeout_(other.timeout_) {}
 UdpSocket& UdpSocket::operator=(UdpSocket&& other) noexcept {
   std::swap(number_, other.number_);
   std::swap(sender_, other.sender_);
+  std::swap(bytes_, other.bytes_);
+  std::swap(timeout_, other.timeout_);
   return *this;
 }
 UdpSocket::~UdpSocket() {
   if (number_ >= 0) ::close(number_);
 }
 
-std::optional<std::string> UdpSocket::receive(double seconds) {
-  if (!waitFor(number_, POLLIN, seconds)) return std::nullopt;
-  std::string bytes(65536, '\0');
+std::optional<std::string_view> UdpSocket::receive(double seconds) {
+  bytes_.resize(kLongestBlock);
+  if (seconds > 0.0 && seconds != timeout_) {
+    timeval wait{};
+    wait.tv_sec = static_cast<time_t>(seconds);
+    wait.tv_usec = std::max<suseconds_t>(1, static_cast<suseconds_t>(1e6 * (seconds - std::floor(seconds))));
+    if (::setsockopt(number_, SOL_SOCKET, SO_RCVTIMEO, &wait, sizeof(wait)) == 0) timeout_ = seconds;
+  }
   sockaddr_storage from{};
   socklen_t length = sizeof(from);
-  const auto got =
-      ::recvfrom(number_, bytes.data(), bytes.size(), MSG_DONTWAIT, reinterpret_cast<sockaddr*>(&from), &length);
+  const auto got = ::recvfrom(number_, bytes_.data(), bytes_.size(), seconds > 0.0 ? 0 : MSG_DONTWAIT,
+                              reinterpret_cast<sockaddr*>(&from), &length);
   if (got < 0) return std::nullopt;  // an ICMP message that nobody listens is no datagram either
   sender_.assign(reinterpret_cast<const char*>(&from), length);
-  bytes.resize(static_cast<std::size_t>(got));
-  return bytes;
+  return std::string_view(bytes_).substr(0, static_cast<std::size_t>(got));
 }
 
 bool UdpSocket::send(std::string_view bytes) {
@@ -126,23 +136,25 @@ Result<TcpConnection> TcpConnection::connect(const std::string& host, std::uint1
 }
 
 TcpConnection::TcpConnection(TcpConnection&& other) noexcept
-    : number_(std::exchange(other.number_, -1)), open_(std::exchange(other.open_, false)) {}
+    : number_(std::exchange(other.number_, -1)),
+      open_(std::exchange(other.open_, false)),
+      bytes_(std::move(other.bytes_)) {}
 TcpConnection& TcpConnection::operator=(TcpConnection&& other) noexcept {
   std::swap(number_, other.number_);
   std::swap(open_, other.open_);
+  std::swap(bytes_, other.bytes_);
   return *this;
 }
 TcpConnection::~TcpConnection() {
   if (number_ >= 0) ::close(number_);
 }
 
-std::string TcpConnection::receive(double seconds) {
+std::string_view TcpConnection::receive(double seconds) {
   if (!open_ || !waitFor(number_, POLLIN, seconds)) return {};
-  std::string bytes(65536, '\0');
-  const auto got = ::recv(number_, bytes.data(), bytes.size(), 0);
+  bytes_.resize(kLongestBlock);
+  const auto got = ::recv(number_, bytes_.data(), bytes_.size(), 0);
   if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) open_ = false;
-  bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
-  return bytes;
+  return std::string_view(bytes_).substr(0, got > 0 ? static_cast<std::size_t>(got) : 0);
 }
 
 bool TcpConnection::send(std::string_view bytes) {

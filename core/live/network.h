@@ -21,8 +21,8 @@ class UdpSocket {
   UdpSocket& operator=(UdpSocket&& other) noexcept;
   ~UdpSocket();
 
-  /// One datagram, or nothing after `seconds`. Longer ones than 64 KB cannot be.
-  std::optional<std::string> receive(double seconds);
+  /// One datagram, or nothing after `seconds`; valid until the next call. Longer ones than 64 KB cannot be.
+  std::optional<std::string_view> receive(double seconds);
   bool send(std::string_view bytes);
   /// To whoever sent the datagram received last.
   bool reply(std::string_view bytes);
@@ -31,7 +31,9 @@ class UdpSocket {
  private:
   explicit UdpSocket(int number) : number_(number) {}
   int number_ = -1;
-  std::string sender_;  ///< Its socket address.
+  std::string sender_;    ///< Its socket address.
+  std::string bytes_;     ///< Of the datagram received last.
+  double timeout_ = 0.0;  ///< [s] After which the system ends a wait; 0: never
 };
 
 /// A connection over TCP and IPv4. Movable.
@@ -44,8 +46,9 @@ class TcpConnection {
   TcpConnection& operator=(TcpConnection&& other) noexcept;
   ~TcpConnection();
 
-  /// What has come, at most 64 KB; empty after `seconds` or once the connection is gone: see open().
-  std::string receive(double seconds);
+  /// What has come, at most 64 KB; empty after `seconds` or once the connection is gone: see open(). Valid until the
+  /// next call.
+  std::string_view receive(double seconds);
   bool send(std::string_view bytes);
   bool open() const { return open_; }
 
@@ -53,6 +56,7 @@ class TcpConnection {
   explicit TcpConnection(int number) : number_(number) {}
   int number_ = -1;
   bool open_ = true;
+  std::string bytes_;  ///< Received last.
 };
 
 /// The body of http://host:port/path, at most 1 MB, within two seconds.

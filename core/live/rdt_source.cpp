@@ -64,7 +64,7 @@ class RdtSource : public ThreadedSource {
     return true;
   }
 
-  void take(const std::string& bytes, double now) {
+  void take(std::string_view bytes, double now) {
     rdt::Counts counts;
     const auto samples = records_.read(bytes, units_, now, counts);
     count([&](SourceStatus& status) {

@@ -46,8 +46,9 @@ class RosbridgeSource : public BridgeSource {
     const auto found = types_.find(text("topic"));
     const auto content = object.find("msg");
     if (found == types_.end() || content == object.end()) return false;
-    if (!flattenJson(content->dump(-1, ' ', false, json::error_handler_t::replace), numbers_)) return false;
-    take(printable(found->first, 200), found->second, numbers_, 0);
+    const auto* const numbers = json_.read(content->dump(-1, ' ', false, json::error_handler_t::replace));
+    if (numbers == nullptr) return false;
+    take(printable(found->first, 200), found->second, *numbers, 0);
     return true;
   }
 
@@ -81,7 +82,7 @@ class RosbridgeSource : public BridgeSource {
 
   const RosbridgeTopics wished_;
   std::map<std::string, std::string> types_;  ///< Of each topic that was subscribed to.
-  NamedNumbers numbers_;
+  JsonNumbers json_;
 };
 
 }  // namespace

@@ -16,6 +16,9 @@ namespace {
 constexpr Eigen::Index kMargin = 3;      // blocks kept away from a contact on both sides
 constexpr double kForceAllowed = 0.3;    // [N] no contact below this
 constexpr double kTorqueAllowed = 0.03;  // [N m]
+/// By which factor the blocks that are learned from must change in number before the shortfall is drawn again. It falls
+/// as they grow in number, so that until then intervals are rather too wide.
+constexpr double kShortfallGrowth = 1.4;
 constexpr double kNormal95 = 1.959963984540054;
 
 std::array<Interval, 10> listed(const PayloadInterval& i) {
@@ -39,14 +42,18 @@ PayloadInterval unlisted(const std::array<Interval, 10>& i) {
   return out;
 }
 
-/// The runs' rows in the narrower band, whitened, with honest variances.
-Triangle narrowFit(const Prepared& prepared, std::vector<Run> runs, const WideBand& wide) {
+/// The runs' rows in the narrower band, whitened, with honest variances. `shortfall` is found where it is not known.
+Triangle narrowFit(const Prepared& prepared, std::vector<Run> runs, const WideBand& wide,
+                   std::optional<double>& shortfall) {
   for (auto& run : runs) run.to = std::min(run.to, wide.blocks.size());
   std::erase_if(runs, [](const Run& run) { return run.to - run.from <= kMaxArOrder; });
   if (runs.empty()) return Triangle::Zero();
   FitRowsQuestion question{wide.blocks, runs, {prepared.silent, prepared.rounding}, std::nullopt, nullptr};
   question.predicts = wide.stride;
-  return fitRowsOf(std::move(question)).whitened;
+  question.shortfall = shortfall;
+  const FitRows fit = fitRowsOf(std::move(question));
+  shortfall = fit.shortfall;
+  return fit.whitened;
 }
 
 /// Standard deviations of the ten components by the curvature at the mode.
@@ -131,13 +138,20 @@ void BlockLearner::learn(const Prepared& prepared, const WideBand& wide) {
   noise_ = prepared.noise;
   weighting_ = bounded(noise_);
   used_ = prepared.usedBlocks;
-  shortfall_ = shortfallOfLearning(prepared.blocks, noise_, prepared.runs, {prepared.silent, prepared.rounding});
   // A tool that stands still has no motion to be smoothed.
-  stride_ = still_ ? 1 : wide.stride;
-  base_ =
-      stride_ > 1
-          ? narrowFit(prepared, prepared.runs, wide)
-          : Triangle(honestTriangle(prepared.blocks, noise_, weighting_, prepared.weights, prepared.runs) / shortfall_);
+  const int stride = still_ ? 1 : wide.stride;
+  const bool grew = static_cast<double>(used_) > kShortfallGrowth * static_cast<double>(shortfallOf_);
+  const bool shrank = static_cast<double>(used_) < static_cast<double>(shortfallOf_) / kShortfallGrowth;
+  if (stride != stride_ || grew || shrank) shortfall_.reset();
+  if (!shortfall_) shortfallOf_ = used_;
+  stride_ = stride;
+  if (stride_ > 1) {
+    base_ = narrowFit(prepared, prepared.runs, wide, shortfall_);
+  } else {
+    if (!shortfall_)
+      shortfall_ = shortfallOfLearning(prepared.blocks, noise_, prepared.runs, {prepared.silent, prepared.rounding});
+    base_ = honestTriangle(prepared.blocks, noise_, weighting_, prepared.weights, prepared.runs) / *shortfall_;
+  }
   total_ = merged({frozen_, base_});
   findings_.clear();
   // A shape that could not be used would have failed when its prior was made.
@@ -239,7 +253,7 @@ void BlockLearner::follow(const LaneBlocks& blocks) {
         innovations(noise_, residual, runs).unaryExpr([](double e) {
           return std::abs(e) > 3.0 ? 3.0 / std::abs(e) : 1.0;
         });
-    fresh_->add(whitenedTriangles(rows, weighting_, weights, runs, 1).front() / shortfall_);
+    fresh_->add(whitenedTriangles(rows, weighting_, weights, runs, 1).front() / *shortfall_);
     followed_ = ready;
   }
   total_ = merged({frozen_, base_, fresh_->finish()});
@@ -258,8 +272,9 @@ void BlockLearner::freeze(const Prepared& prepared, Eigen::Index count, const Wi
     for (Eigen::Index k = part.from; k < part.to; ++k) rows.add(blockRows(prepared.blocks, k));
   }
   frozenRows_ = rows.finish();
+  std::optional<double> shortfall;
   if (!runs.empty())
-    frozen_ = merged({frozen_, wide.stride > 1 ? narrowFit(prepared, runs, wide)
+    frozen_ = merged({frozen_, wide.stride > 1 ? narrowFit(prepared, runs, wide, shortfall)
                                                : honestTriangle(prepared.blocks, prepared.noise,
                                                                 bounded(prepared.noise), prepared.weights, runs)});
   forgetBlocks();

@@ -76,7 +76,8 @@ class BlockLearner {
   std::vector<Judged> judged_;
   std::optional<Vector3d> still_;  ///< What was learned from stood still: with this specific force.
   NoiseModel noise_, weighting_;
-  double shortfall_ = 1.0;  ///< shortfallOfLearning() when last learned
+  std::optional<double> shortfall_;  ///< shortfallOfLearning(), of so many blocks:
+  Eigen::Index shortfallOf_ = 0;
   Triangle frozen_ = Triangle::Zero(), frozenRows_ = Triangle::Zero(), base_ = Triangle::Zero(),
            total_ = Triangle::Zero();
   Eigen::Index frozenBlocks_ = 0, used_ = 0, freshBlocks_ = 0;

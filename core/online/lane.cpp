@@ -9,7 +9,7 @@
 namespace heft {
 
 namespace {
-constexpr double kLaneStepTime = 0.04;  // [s] between two steps at 25 Hz
+constexpr double kLaneStepTime = 0.08;  // [s] between two steps at 25 Hz
 constexpr double kStandByTime = 2.0;    // [s] where nobody waits for it
 constexpr double kEdge = 0.1;           // [s] at a stretch's ends that is not used, as in the batch
 constexpr double kNewestDelay = 0.1;    // [s]

@@ -192,17 +192,11 @@ void rosbridge(std::string_view bytes) { frames(*makeRosbridgeSource("127.0.0.1"
 /// A datagram a line.
 void udp(std::string_view bytes) {
   FieldMapper mapper;
-  NamedNumbers numbers;
+  JsonNumbers objects;
   while (!bytes.empty()) {
     const auto end = std::min(bytes.find('\n'), bytes.size());
-    std::vector<std::string> names;
-    std::vector<double> values;
-    if (flattenJson(bytes.substr(0, end), numbers))
-      for (const auto& [name, value] : numbers) {
-        names.push_back(name);
-        values.push_back(value);
-      }
-    (void)mapper.map("", "", names, values);
+    if (const auto* const numbers = objects.read(bytes.substr(0, end)))
+      (void)mapper.map("", "", numbers->names, numbers->values);
     bytes.remove_prefix(std::min(end + 1, bytes.size()));
   }
 }

@@ -24,7 +24,7 @@ FakeNetFt::FakeNetFt() : impl_(std::make_unique<Impl>()) {
       {
         // The lock also covers the sender's address, which receive() changes.
         const std::lock_guard lock(impl->mutex);
-        if (auto bytes = impl->socket.receive(0.0)) impl->requests.push_back(std::move(*bytes));
+        if (auto bytes = impl->socket.receive(0.0)) impl->requests.emplace_back(*bytes);
       }
       std::this_thread::sleep_for(std::chrono::microseconds(500));
     }
