@@ -42,10 +42,10 @@ Taken takenBy(const Triangle& whitened, const WrenchRows& rows) {
   Taken out;
   parallelFor(out.size(), [&](std::size_t channel) {
     const auto c = static_cast<Eigen::Index>(channel);
+    Eigen::Matrix<double, Eigen::Dynamic, 10> Y(rows.size(), 10);
+    for (Eigen::Index k = 0; k < rows.size(); ++k) Y.row(k) = rows.Y[static_cast<std::size_t>(k)].row(c);
     MatrixXd& z = out[channel];
-    z.resize(rows.size(), kColumns);
-    for (Eigen::Index k = 0; k < rows.size(); ++k)
-      z.row(k).noalias() = rows.Y[static_cast<std::size_t>(k)].row(c) * back.bottomRows<10>();
+    z = product(Y, back.bottomRows<10>());
     z.rowwise() += back.row(c);
   });
   return out;
@@ -326,7 +326,9 @@ ScoreEquations scoreEquations(const WrenchRows& rows, const NoiseModel& noise, c
     out.covariance.noalias() += chunk.topRows(filled).transpose() * chunk.topRows(filled);
     filled = 0;
   };
-  std::vector<Six> later(lags), filteredLater(lags);  // The blocks after this one, the next first
+  // Of the blocks after this one, in rings: `newest` is where that of the block right after it lies.
+  std::vector<Six> later(lags), filteredLater(lags);
+  std::size_t newest = 0;
   for (const auto& run : runs) {
     if (run.to - run.from <= weighting.order) continue;
     std::ranges::fill(later, Six::Zero());
@@ -338,13 +340,13 @@ ScoreEquations scoreEquations(const WrenchRows& rows, const NoiseModel& noise, c
         back = middle.lazyProduct(whitener.innovations(rows, k));
       }
       Six G = back;
-      for (std::size_t i = 0; i < used.size(); ++i) G.noalias() -= used[i].asDiagonal() * later[i];
-      for (std::size_t i = 0; i < found.size(); ++i) G.noalias() += found[i].asDiagonal() * filteredLater[i];
+      for (std::size_t i = 0; i < used.size(); ++i) G.noalias() -= used[i].asDiagonal() * later[(newest + i) % lags];
+      for (std::size_t i = 0; i < found.size(); ++i)
+        G.noalias() += found[i].asDiagonal() * filteredLater[(newest + i) % lags];
       if (lags > 0) {
-        std::rotate(later.begin(), later.end() - 1, later.end());
-        std::rotate(filteredLater.begin(), filteredLater.end() - 1, filteredLater.end());
-        later.front() = back;
-        filteredLater.front() = G;
+        newest = (newest + lags - 1) % lags;
+        later[newest] = back;
+        filteredLater[newest] = G;
       }
       chunk.middleRows<6>(filled) = L.transpose().lazyProduct(G);
       if ((filled += 6) == chunk.rows()) addUp();

@@ -1,32 +1,112 @@
 #include "core/estimation/triangle.h"
 
+#include <array>
 #include <cmath>
 
 #include "core/math/linear_algebra.h"
 
 namespace heft {
 
-void TriangleBuilder::compress() {
-  // Below the triangle each column of [R; chunk] holds the chunk only, so that a reflector touches one row of R.
-  Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kColumns> w;
-  for (Eigen::Index j = 0; j <= kColumns; ++j) {
-    const auto v = chunk_.col(j).head(filled_);
-    const double below = v.squaredNorm();
-    if (below == 0.0) continue;
-    const double diagonal = R_(j, j);
-    const double norm = std::hypot(diagonal, std::sqrt(below));
-    const double beta = diagonal > 0.0 ? -norm : norm;
-    const double head = diagonal - beta;  // H = I + u u^T / (beta head) with u = [head; v]
-    const Eigen::Index right = kColumns - j;
-    if (right > 0) {
-      auto rest = chunk_.topRightCorner(filled_, right);
-      w.noalias() = v.transpose() * rest;
-      w = (w + head * R_.row(j).tail(right)) / (beta * head);
-      R_.row(j).tail(right) += head * w;
-      rest.noalias() += v * w;
-    }
-    R_(j, j) = beta;
+namespace {
+
+/// Four rows of a column, wherever they lie. Sums go in four parts on every machine, so that all find the same.
+using FourRows = double __attribute__((vector_size(32), aligned(8)));
+
+[[gnu::always_inline]] inline FourRows& fourRows(double* at) { return *reinterpret_cast<FourRows*>(at); }
+[[gnu::always_inline]] inline const FourRows& fourRows(const double* at) {
+  return *reinterpret_cast<const FourRows*>(at);
+}
+[[gnu::always_inline]] inline double sumOf(const FourRows& x) { return (x[0] + x[1]) + (x[2] + x[3]); }
+
+struct Chunk {
+  double* columns;
+  Eigen::Index stride, rows;  ///< A multiple of eight
+
+  double* column(Eigen::Index j) const { return columns + j * stride; }
+};
+
+/// Adds w v to column `c`; returns its square.
+[[gnu::always_inline]] inline double reflect(const Chunk& chunk, const double* v, Eigen::Index c, double w) {
+  double* const x = chunk.column(c);
+  FourRows even{}, odd{};
+  for (Eigen::Index k = 0; k < chunk.rows; k += 8) {
+    const FourRows first = fourRows(x + k) + w * fourRows(v + k),
+                   second = fourRows(x + k + 4) + w * fourRows(v + k + 4);
+    fourRows(x + k) = first;
+    fourRows(x + k + 4) = second;
+    even += first * first;
+    odd += second * second;
   }
+  return sumOf(even + odd);
+}
+
+/// Adds w[i] v to `Count` columns from `c` on; `products` become those with `next`, another column.
+template <int Count>
+[[gnu::always_inline]] inline void reflectAndMultiply(const Chunk& chunk, const double* v, const double* next,
+                                                      Eigen::Index c, const double* w, double* products) {
+  double* const x = chunk.column(c);
+  FourRows sum[Count];
+  for (int i = 0; i < Count; ++i) sum[i] = FourRows{};
+  for (Eigen::Index k = 0; k < chunk.rows; k += 4) {
+    const FourRows ofV = fourRows(v + k), ofNext = fourRows(next + k);
+    for (int i = 0; i < Count; ++i) {
+      FourRows& at = fourRows(x + i * chunk.stride + k);
+      const FourRows moved = at + w[i] * ofV;
+      at = moved;
+      sum[i] += ofNext * moved;
+    }
+  }
+  for (int i = 0; i < Count; ++i) products[i] = sumOf(sum[i]);
+}
+
+/// Below the triangle each column of [R; chunk] holds the chunk only, so that a reflector touches one row of R: H = I +
+/// u u^T / (beta head) with u = [head; v]. Each pass over the chunk applies one reflector and multiplies with the next.
+[[gnu::always_inline]] inline void addToTriangle(const Chunk& chunk, Triangle& R) {
+  std::array<double, kColumns + 1> products{}, w{};
+  // The first pass applies none.
+  for (Eigen::Index j = -1; j <= kColumns; ++j) {
+    const Eigen::Index after = j + 1;
+    const double* const v = chunk.column(std::max<Eigen::Index>(j, 0));
+    const double* const next = chunk.column(after);
+    double below = reflect(chunk, v, after, w[static_cast<std::size_t>(after)]);
+    Eigen::Index c = after + 1;
+    for (; c + 4 <= kColumns + 1; c += 4) reflectAndMultiply<4>(chunk, v, next, c, w.data() + c, products.data() + c);
+    for (; c <= kColumns; ++c) reflectAndMultiply<1>(chunk, v, next, c, w.data() + c, products.data() + c);
+    w.fill(0.0);
+    if (below > 0.0) {
+      const double diagonal = R(after, after);
+      const double norm = std::hypot(diagonal, std::sqrt(below));
+      const double beta = diagonal > 0.0 ? -norm : norm, head = diagonal - beta;
+      for (Eigen::Index i = after + 1; i <= kColumns; ++i) {
+        double& factor = w[static_cast<std::size_t>(i)];
+        factor = (products[static_cast<std::size_t>(i)] + head * R(after, i)) / (beta * head);
+        R(after, i) += head * factor;
+      }
+      R(after, after) = beta;
+    }
+    if (after == kColumns) break;
+  }
+}
+
+void addAsCompiled(const Chunk& chunk, Triangle& R) { addToTriangle(chunk, R); }
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) void addWithAvx2(const Chunk& chunk, Triangle& R) { addToTriangle(chunk, R); }
+#endif
+
+}  // namespace
+
+void TriangleBuilder::compress() {
+  const Eigen::Index rows = (filled_ + 7) / 8 * 8;
+  static_assert(kChunk % 8 == 0);
+  chunk_.middleRows(filled_, rows - filled_).setZero();
+  const Chunk chunk{chunk_.data(), kChunk, rows};
+#if defined(__x86_64__)
+  static const bool kAvx2 = __builtin_cpu_supports("avx2");
+  if (kAvx2)
+    addWithAvx2(chunk, R_);
+  else
+#endif
+    addAsCompiled(chunk, R_);
   filled_ = 0;
 }
 

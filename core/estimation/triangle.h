@@ -24,6 +24,15 @@ class TriangleBuilder {
   /// Any number of rows, 17 columns.
   template <class Derived>
   void add(const Eigen::MatrixBase<Derived>& rows) {
+    if constexpr (Derived::RowsAtCompileTime == kBlock) {
+      if (filled_ % kBlock == 0) {  // Which never go beyond the chunk's end
+        chunk_.template middleRows<kBlock>(filled_) = rows;
+        rows_ += kBlock;
+        filled_ += kBlock;
+        if (filled_ == kChunk) compress();
+        return;
+      }
+    }
     for (Eigen::Index from = 0; from < rows.rows();) {
       const Eigen::Index count = std::min(kChunk - filled_, rows.rows() - from);
       chunk_.middleRows(filled_, count) = rows.middleRows(from, count);
@@ -38,7 +47,8 @@ class TriangleBuilder {
 
  private:
   void compress();
-  static constexpr Eigen::Index kChunk = 160;
+  static constexpr int kBlock = 6;
+  static constexpr Eigen::Index kChunk = 28 * kBlock;
   Eigen::Matrix<double, kChunk, kColumns + 1> chunk_;
   Triangle R_ = Triangle::Zero();  ///< Of the rows before the chunk.
   Eigen::Index filled_ = 0;

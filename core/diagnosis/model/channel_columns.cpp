@@ -7,31 +7,27 @@ namespace heft::diagnosis {
 ChannelColumns::ChannelColumns(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches,
                                Eigen::Index first)
     : columns_(columns.cols()), blocks_(columns.rows() / 6) {
-  for (std::size_t c = 0; c < 6; ++c) {
-    parts_[c].resize(blocks_, columns_);
-    which_[c].reserve(static_cast<std::size_t>(columns_));
-  }
-  // Which are of a channel is not known before they are looked at: first all side by side.
-  std::vector<std::array<bool, 6>> any(static_cast<std::size_t>(columns_));
-  parallelFor(any.size(), [&](std::size_t at) {
-    const auto i = static_cast<Eigen::Index>(at);
-    ByChannel x(blocks_, 6);
-    evenByChannel(columns.col(i), noise, first, x);
-    for (std::size_t c = 0; c < 6; ++c) {
-      const auto channel = x.col(static_cast<Eigen::Index>(c));
-      if (channel.isZero(0.0)) continue;
-      innovate(channel, noise, c, stretches, first, parts_[c].col(i));
-      any[at][c] = true;
-    }
+  std::vector<std::array<Eigen::Index, 6>> place(static_cast<std::size_t>(columns_));  // In its part; -1: it is zero
+  parallelFor(place.size(), [&](std::size_t i) {
+    const Eigen::Map<const Wrenches> channels(columns.col(static_cast<Eigen::Index>(i)).data(), 6, blocks_);
+    const Vector6d most = channels.cwiseAbs().rowwise().maxCoeff();
+    for (std::size_t c = 0; c < 6; ++c) place[i][c] = most(static_cast<Eigen::Index>(c)) == 0.0 ? -1 : 0;
   });
   for (std::size_t c = 0; c < 6; ++c) {
-    for (Eigen::Index i = 0; i < columns_; ++i) {
-      if (!any[static_cast<std::size_t>(i)][c]) continue;
-      if (std::ssize(which_[c]) < i) parts_[c].col(std::ssize(which_[c])) = parts_[c].col(i);
-      which_[c].push_back(i);
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      if (place[i][c] < 0) continue;
+      place[i][c] = std::ssize(which_[c]);
+      which_[c].push_back(static_cast<Eigen::Index>(i));
     }
-    parts_[c].conservativeResize(Eigen::NoChange, std::ssize(which_[c]));
+    parts_[c].resize(blocks_, std::ssize(which_[c]));
   }
+  parallelFor(place.size(), [&](std::size_t i) {
+    ByChannel x(blocks_, 6);
+    evenByChannel(columns.col(static_cast<Eigen::Index>(i)), noise, first, x);
+    for (std::size_t c = 0; c < 6; ++c)
+      if (place[i][c] >= 0)
+        innovate(x.col(static_cast<Eigen::Index>(c)), noise, c, stretches, first, parts_[c].col(place[i][c]));
+  });
 }
 
 MatrixXd ChannelColumns::gram() const {

@@ -186,11 +186,14 @@ Eigen::MatrixXd meanSince(const Eigen::Ref<const Eigen::MatrixXd>& value, double
   const EndWeights step = integral(1.0), beginning = integral(part);
   const auto back = static_cast<Eigen::Index>(whole);  // To the sample before the mean begins, a negative number
   return columnwise(value, [&]<int Rows>(const ConstMappedColumns<Rows>& u, MappedColumns<Rows> out) {
+    // Over the step after each sample, from `back` on
+    Eigen::Matrix<double, Rows, Eigen::Dynamic> steps(u.rows(), out.cols() - back);
+    for (Eigen::Index k = back; k < out.cols(); ++k) steps.col(k - back) = weighed<Rows>(u, k - 1, step);
     MappedColumn<Rows> sum = MappedColumn<Rows>::Zero(u.rows());  // From `back` to k
-    for (Eigen::Index k = back; k < 0; ++k) sum += weighed<Rows>(u, k - 1, step);
+    for (Eigen::Index k = back; k < 0; ++k) sum += steps.col(k - back);
     for (Eigen::Index k = 0; k < out.cols(); ++k) {
       out.col(k) = (sum - weighed<Rows>(u, k + back - 1, beginning)) / samples;
-      sum += weighed<Rows>(u, k - 1, step) - weighed<Rows>(u, k + back - 1, step);
+      sum += steps.col(k - back) - steps.col(k);
     }
   });
 }
