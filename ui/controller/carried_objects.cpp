@@ -20,9 +20,9 @@ EstimateOptions plainOptions(const EstimateOptions& options) {
 }
 
 Result<CarriedObject> carriedIn(const Snapshot& now, const QString& without, const Progress& progress) {
-  const Recording recording = now.recording();
+  const auto recording = now.recording();
   const EstimateOptions options = plainOptions(now.options);
-  const JointInput with{&recording, now.robot()};
+  const JointInput with{recording.get(), now.robot()};
   if (without.isEmpty()) return estimatePickedUp(with, options, now.opened->findings, progress);
   ReadCure cure = ReadCure::none;
   const auto other = loadRecording(without, progress, cure);

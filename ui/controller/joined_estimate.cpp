@@ -48,10 +48,10 @@ EstimateOptions jointOptions(const std::vector<Snapshot>& of, const std::vector<
 /// The joint reports, put at the places of `members`.
 Result<bool> join(const std::vector<Snapshot>& of, const std::vector<std::size_t>& members, const Progress& progress,
                   std::vector<std::shared_ptr<EstimateReport>>& out) {
-  std::vector<Recording> recordings;
+  std::vector<std::shared_ptr<const Recording>> recordings;
   for (const std::size_t i : members) recordings.push_back(of[i].recording());
   std::vector<JointInput> inputs;
-  for (std::size_t m = 0; m < members.size(); ++m) inputs.push_back({&recordings[m], of[members[m]].robot()});
+  for (std::size_t m = 0; m < members.size(); ++m) inputs.push_back({recordings[m].get(), of[members[m]].robot()});
   auto joint = estimateJointly(inputs, jointOptions(of, members), progress);
   if (!joint) return joint.error();
   Findings ofAll;

@@ -33,17 +33,18 @@ bool isSession(const QString& path) {
 
 }  // namespace
 
-Recording Snapshot::recording() const {
-  Recording copy = opened->recording;
+std::shared_ptr<const Recording> Snapshot::recording() const {
+  if (marks.empty()) return {opened, &opened->recording};
+  auto copy = std::make_shared<Recording>(opened->recording);
   // The last mark that covers an instant wins: the painted ones come last.
-  copy.meta.marks.insert(copy.meta.marks.end(), marks.begin(), marks.end());
+  copy->meta.marks.insert(copy->meta.marks.end(), marks.begin(), marks.end());
   return copy;
 }
 
 Result<EstimateReport> Snapshot::estimated(const Progress& progress) const {
-  if (corrections.causes.empty()) return heft::estimate(recording(), robot(), options, progress);
+  if (corrections.causes.empty()) return heft::estimate(*recording(), robot(), options, progress);
   const nlohmann::json found = nlohmann::json::parse(corrections.found, nullptr, false);
-  return estimateWith(recording(), robot(), options, found, corrections.causes, progress);
+  return estimateWith(*recording(), robot(), options, found, corrections.causes, progress);
 }
 
 Workspace::Workspace(QObject* parent) : QObject(parent) {

@@ -37,14 +37,15 @@ enum class ReadCure {
 };
 
 /// What an estimate or a diagnosis reads, detached from the window: the recording with the user's marks in it, and the
-/// options that the session asks for. Cheap to copy; recording() copies the series, so call it in the job.
+/// options that the session asks for. Cheap to copy; recording() copies the series where marks were painted, so call it
+/// in the job.
 struct Snapshot {
   std::shared_ptr<const OpenRecording> opened;
   std::vector<Mark> marks;  ///< Painted, laid over the file's own.
   EstimateOptions options;
   Corrections corrections;  ///< Of the reality check; recording() does not hold them, estimated() does.
 
-  Recording recording() const;
+  std::shared_ptr<const Recording> recording() const;
   /// With the corrections in the model.
   Result<EstimateReport> estimated(const Progress& progress) const;
   const RobotModel* robot() const { return opened->robot.get(); }

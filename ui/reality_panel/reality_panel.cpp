@@ -58,16 +58,16 @@ struct Looked {
 };
 
 Result<Looked> lookedAt(const Snapshot& now, const Progress& progress) {
-  const Recording recording = now.recording();
+  const auto recording = now.recording();
   DiagnoseOptions options;
   options.estimate = now.options;
   options.segments = now.options.segments;
-  auto report = diagnose(recording, now.robot(), options, progress);
+  auto report = diagnose(*recording, now.robot(), options, progress);
   if (!report) return report.error();
   Looked out;
-  if (recording.meta.kind == RecordingKind::motion)
-    if (auto witnesses = diagnosis::witnesses(recording, now.robot())) out.witnesses = std::move(*witnesses);
-  out.curves = readingCurves(recording, now.robot(), *report);
+  if (recording->meta.kind == RecordingKind::motion)
+    if (auto witnesses = diagnosis::witnesses(*recording, now.robot())) out.witnesses = std::move(*witnesses);
+  out.curves = readingCurves(*recording, now.robot(), *report);
   out.json = toJson(*report).dump();
   out.report = std::make_shared<const DiagnosisReport>(std::move(*report));
   return out;

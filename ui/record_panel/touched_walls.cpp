@@ -12,8 +12,8 @@ namespace heft {
 namespace {
 
 Result<Room> roomIn(const Snapshot& now, const EstimateReport& report, const Shape& tool, const Progress& progress) {
-  const Recording recording = now.recording();
-  const auto touched = findTouchedRoom(recording, now.robot(), toJson(report), recording.file, tool, progress);
+  const auto recording = now.recording();
+  const auto touched = findTouchedRoom(*recording, now.robot(), toJson(report), recording->file, tool, progress);
   if (!touched) return touched.error();
   return roomOf(*touched, Room{}.margin);
 }

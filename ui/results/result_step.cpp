@@ -93,7 +93,7 @@ void ResultStep::compare() {
   emit arrangementChanged();
   jobs_.start(
       tr("Comparing all methods"),
-      [now](const Progress& progress) { return compareMethods(now.recording(), now.robot(), now.options, progress); },
+      [now](const Progress& progress) { return compareMethods(*now.recording(), now.robot(), now.options, progress); },
       [this, chosen = now.options.method](Result<std::vector<ComparedMethod>> result) {
         if (result) return methods_->showTable(methodTable(*result, chosen));
         if (!result.error().cancelled) parts().say(Severity::error, QString::fromStdString(result.error().message));
