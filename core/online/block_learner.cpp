@@ -16,9 +16,9 @@ namespace {
 constexpr Eigen::Index kMargin = 3;      // blocks kept away from a contact on both sides
 constexpr double kForceAllowed = 0.3;    // [N] no contact below this
 constexpr double kTorqueAllowed = 0.03;  // [N m]
-/// By which factor the blocks that are learned from must change in number before the shortfall is drawn again. It falls
-/// as they grow in number, so that until then intervals are rather too wide.
-constexpr double kShortfallGrowth = 1.4;
+/// By which factor the blocks that are learned from must change in number before a small shortfall is drawn again. It
+/// falls as they grow in number, so that until then intervals are rather too wide, by this share at most.
+constexpr double kShortfallGrowth = 1.4, kSmallShortfall = 0.1;
 constexpr double kNormal95 = 1.959963984540054;
 
 std::array<Interval, 10> listed(const PayloadInterval& i) {
@@ -123,7 +123,7 @@ WideBand WideBand::withoutFirst(Eigen::Index count) const {
   return out;
 }
 
-void BlockLearner::learn(const Prepared& prepared, const WideBand& wide) {
+void BlockLearner::learn(const Prepared& prepared, const WideBand& wide, bool afresh) {
   if (prepared.runs.empty()) {
     learned_ = prepared.blocks.size();
     return;
@@ -142,7 +142,8 @@ void BlockLearner::learn(const Prepared& prepared, const WideBand& wide) {
   const int stride = still_ ? 1 : wide.stride;
   const bool grew = static_cast<double>(used_) > kShortfallGrowth * static_cast<double>(shortfallOf_);
   const bool shrank = static_cast<double>(used_) < static_cast<double>(shortfallOf_) / kShortfallGrowth;
-  if (stride != stride_ || grew || shrank) shortfall_.reset();
+  const bool large = shortfall_ && *shortfall_ > 1.0 + kSmallShortfall;
+  if (afresh || stride != stride_ || grew || shrank || large) shortfall_.reset();
   if (!shortfall_) shortfallOf_ = used_;
   stride_ = stride;
   if (stride_ > 1) {

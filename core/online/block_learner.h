@@ -35,8 +35,9 @@ class BlockLearner {
   BlockLearner(const EstimateOptions* options, const ShapePrior* shape) : options_(options), shape_(shape) {}
 
   /// Learns labels, noise and prior from all blocks and estimates with intervals by sampling. Does nothing if
-  /// too little is free.
-  void learn(const Prepared& prepared, const WideBand& wide);
+  /// too little is free. The shortfall of what the noise was learned from is drawn again where `afresh`, or where the
+  /// number of blocks has changed much.
+  void learn(const Prepared& prepared, const WideBand& wide, bool afresh = false);
   /// Judges the blocks that came since, and takes them in; with a stride they count when learned from again.
   void follow(const LaneBlocks& blocks);
   /// The first `count` blocks are about to be dropped: what they say is kept. To be followed by learn().

@@ -233,7 +233,7 @@ struct OnlineEstimator::Impl {
     return best;
   }
 
-  static Learned learned(BlockLearner learner, const LaneBlocks& blocks, WideBand wide) {
+  static Learned learned(BlockLearner learner, const LaneBlocks& blocks, WideBand wide, bool afresh = false) {
     Prepared prepared = learnedFrom(blocks);
     Learned out{std::move(learner), {}, blocks.size() > kMost};
     if (!prepared.runs.empty()) out.labels = prepared.labels;
@@ -242,7 +242,7 @@ struct OnlineEstimator::Impl {
       prepared = withoutFirst(prepared, kDropped);
       wide = wide.withoutFirst(kDropped);
     }
-    out.learner.learn(prepared, wide);
+    out.learner.learn(prepared, wide, afresh);
     return out;
   }
 
@@ -293,7 +293,7 @@ struct OnlineEstimator::Impl {
         }
       }
     }
-    takeOver(learned(learner, blocks(), wideBeside(chosen)), chosen);
+    takeOver(learned(learner, blocks(), wideBeside(chosen), true), chosen);
     discard();
   }
 
