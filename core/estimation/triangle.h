@@ -48,7 +48,7 @@ class TriangleBuilder {
  private:
   void compress();
   static constexpr int kBlock = 6;
-  static constexpr Eigen::Index kChunk = 28 * kBlock;
+  static constexpr Eigen::Index kChunk = Eigen::Index{28} * kBlock;
   Eigen::Matrix<double, kChunk, kColumns + 1> chunk_;
   Triangle R_ = Triangle::Zero();  ///< Of the rows before the chunk.
   Eigen::Index filled_ = 0;

@@ -88,7 +88,8 @@ std::pair<std::string, std::string> envelopeOf(const json& object) {
 void nameAfterTopic(const std::string& topic, const std::string& key, NamedNumbers& numbers) {
   const std::string inside = key + ".", header = inside + "header.";
   for (auto& name : numbers.names)
-    if (name.starts_with(inside) && !name.starts_with(header)) name = topic + "/" + name.substr(inside.size());
+    if (name.starts_with(inside) && !name.starts_with(header))
+      name = fmt::format("{}/{}", topic, name.substr(inside.size()));
 }
 
 /// Deep nesting would exhaust the parser's own stack of brackets before flatten() sees it.
