@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -92,26 +93,33 @@ void nameAfterTopic(const std::string& topic, const std::string& key, NamedNumbe
       name = fmt::format("{}/{}", topic, name.substr(inside.size()));
 }
 
-/// Deep nesting would exhaust the parser's own stack of brackets before flatten() sees it.
-bool isTooDeep(std::string_view text) {
-  std::size_t depth = 0;
+/// Calls work(i) for the characters outside of strings; it returns how many of them it has dealt with.
+template <class Work>
+void outsideStrings(std::string_view text, const Work& work) {
   bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted) {
-      if (c == '\\')
-        ++i;
-      else if (c == '"')
-        quoted = false;
-    } else if (c == '"') {
-      quoted = true;
-    } else if (c == '{' || c == '[') {
-      if (++depth > kDeepestArray) return true;
-    } else if ((c == '}' || c == ']') && depth > 0) {
-      --depth;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] == '"') {
+      quoted = !quoted;
+      ++i;
+    } else if (quoted) {
+      i += text[i] == '\\' ? 2 : 1;
+    } else {
+      i += work(i);
     }
   }
-  return false;
+}
+
+/// Deep nesting would exhaust the parser's own stack of brackets before flatten() sees it.
+bool isTooDeep(std::string_view text) {
+  std::size_t depth = 0, deepest = 0;
+  outsideStrings(text, [&](std::size_t i) -> std::size_t {
+    if (text[i] == '{' || text[i] == '[')
+      deepest = std::max(deepest, ++depth);
+    else if ((text[i] == '}' || text[i] == ']') && depth > 0)
+      --depth;
+    return 1;
+  });
+  return deepest > kDeepestArray;
 }
 
 bool flattenJson(std::string_view text, NamedNumbers& out) {
@@ -152,19 +160,13 @@ const char* jsonNumber(const char* first, const char* last, double& value) {
 /// Where JSON's numbers stand in a text.
 std::vector<std::string_view> numbersIn(std::string_view text) {
   std::vector<std::string_view> out;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '"') quoted = !quoted;
-    if (quoted && c == '\\') ++i;
-    if (quoted || !(c == '-' || (c >= '0' && c <= '9'))) continue;
+  outsideStrings(text, [&](std::size_t i) -> std::size_t {
+    const char* const first = text.data() + i;
     double value = 0.0;
-    const char* const end = jsonNumber(text.data() + i, text.data() + text.size(), value);
-    const auto length = static_cast<std::size_t>(end - (text.data() + i));
-    if (length == 0) continue;
-    out.push_back(text.substr(i, length));
-    i += length - 1;
-  }
+    const auto length = static_cast<std::size_t>(jsonNumber(first, text.data() + text.size(), value) - first);
+    if (length > 0) out.push_back(text.substr(i, length));
+    return std::max<std::size_t>(length, 1);
+  });
   return out;
 }
 
@@ -182,28 +184,20 @@ void collectArrays(const json& object, const std::string& path, std::map<std::st
 }  // namespace
 
 std::string withoutBareNaN(std::string_view text) {
-  std::string out(text);
-  if (text.find("NaN") == std::string_view::npos && text.find("Infinity") == std::string_view::npos) return out;
-  out.clear();
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto rest = text.substr(i);
-    std::size_t length = 0;
-    if (!quoted)
-      for (const std::string_view word : {"NaN", "-NaN", "Infinity", "-Infinity"})
-        if (rest.starts_with(word)) length = word.size();
-    if (length > 0) {
-      out += "null";
-      i += length - 1;
-      continue;
+  if (text.find("NaN") == std::string_view::npos && text.find("Infinity") == std::string_view::npos)
+    return std::string(text);
+  std::string out;
+  std::size_t copied = 0;
+  outsideStrings(text, [&](std::size_t i) -> std::size_t {
+    for (const std::string_view word : {"NaN", "-NaN", "Infinity", "-Infinity"}) {
+      if (!text.substr(i).starts_with(word)) continue;
+      out.append(text.substr(copied, i - copied)).append("null");
+      copied = i + word.size();
+      return word.size();
     }
-    if (quoted && text[i] == '\\' && i + 1 < text.size())
-      out += text[i++];
-    else if (text[i] == '"')
-      quoted = !quoted;
-    out += text[i];
-  }
-  return out;
+    return 1;
+  });
+  return out.append(text.substr(copied));
 }
 
 bool JsonNumbers::Layout::read(std::string_view text) {

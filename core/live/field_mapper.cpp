@@ -37,6 +37,7 @@ FieldMapper::Places FieldMapper::learn(const std::string& topic, const std::stri
                                        const std::vector<std::string>& names) {
   Places places;
   places.names = names;
+  places.time = findTime(names, {});
   std::vector<Stream> streams(1);
   streams[0].name = topic;
   streams[0].type = type;
@@ -159,6 +160,12 @@ std::optional<LiveSample> FieldMapper::map(const std::string& topic, const std::
   if (sample.accelerometer && pick(places->gyroscope, values, three)) sample.gyroscope = three;
   if (!sample.hasMotion() && !sample.wrench && !sample.accelerometer) return std::nullopt;
   return sample;
+}
+
+std::optional<TimeColumn> FieldMapper::timeColumn(const std::string& topic, const std::string& type,
+                                                  const std::vector<std::string>& names) {
+  const Places* places = placesOf(topic, type, names);
+  return places != nullptr ? places->time : std::nullopt;
 }
 
 std::vector<std::string> FieldMapper::topics() const {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/import/time_column.h"
 #include "core/live/source.h"
 
 namespace heft {
@@ -23,6 +24,10 @@ class FieldMapper {
   std::optional<LiveSample> map(const std::string& topic, const std::string& type,
                                 const std::vector<std::string>& names, const std::vector<double>& values);
 
+  /// Where the time is among the numbers of a message that was mapped; nothing if they hold none.
+  std::optional<TimeColumn> timeColumn(const std::string& topic, const std::string& type,
+                                       const std::vector<std::string>& names);
+
   /// Topics that samples come from.
   std::vector<std::string> topics() const;
   /// What was set aside so far, in sentences.
@@ -37,6 +42,7 @@ class FieldMapper {
   struct Places {
     std::vector<std::string> names;
     std::vector<Place> joints, velocities, quaternion, position, wrench, accelerometer, gyroscope;
+    std::optional<TimeColumn> time;
     int motionScore = -1, wrenchScore = -1, inertialScore = -1;
     std::string frame;  ///< Name of the field that the pose begins with: which of the transforms it is.
     /// More joints are the arm's, fewer a gripper's.

@@ -68,13 +68,9 @@ class JsonUdpSource : public ThreadedSource {
       return;
     }
     sample->time = now;
-    if (numbers->names != timedNames_) {
-      timedNames_ = numbers->names;
-      time_ = findTime(timedNames_, {});
-    }
-    if (time_ && std::isfinite(values[time_->index])) {
-      const double unit = time_->unitKnown ? time_->unit : unitOfTimes({values[time_->index]});
-      const double stamp = values[time_->index] * unit;
+    if (const auto time = mapper_.timeColumn({}, {}, numbers->names); time && std::isfinite(values[time->index])) {
+      const double unit = time->unitKnown ? time->unit : unitOfTimes({values[time->index]});
+      const double stamp = values[time->index] * unit;
       // A sender that begins anew, seconds back, is a new beginning; less is a packet that took another way.
       if (lastStamp_ && stamp <= *lastStamp_ && stamp > *lastStamp_ - 5.0) {
         count([](SourceStatus& status) { ++status.reordered; });
@@ -95,8 +91,6 @@ class JsonUdpSource : public ThreadedSource {
   StampClock clock_;
   std::optional<double> lastStamp_;
   JsonNumbers json_;
-  std::vector<std::string> timedNames_;  ///< Of the numbers among which time_ was found.
-  std::optional<TimeColumn> time_;
 };
 
 }  // namespace

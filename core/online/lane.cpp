@@ -9,10 +9,9 @@
 namespace heft {
 
 namespace {
-constexpr double kLaneStepTime = 0.08;  // [s] between two steps at 25 Hz
-constexpr double kStandByTime = 2.0;    // [s] where nobody waits for it
-constexpr double kEdge = 0.1;           // [s] at a stretch's ends that is not used, as in the batch
-constexpr double kNewestDelay = 0.1;    // [s]
+constexpr double kStandByTime = 2.0;  // [s] where nobody waits for it
+constexpr double kEdge = 0.1;         // [s] at a stretch's ends that is not used, as in the batch
+constexpr double kNewestDelay = 0.1;  // [s]
 }  // namespace
 
 WrenchRows LaneBlocks::rows(Eigen::Index from, Eigen::Index to) const {
@@ -63,7 +62,7 @@ bool Lane::advance(const SampleStream& stream, const RobotModel* robot, bool eag
   const Eigen::Index size = stream.size();
   const Eigen::Index ready = last ? size / block : std::max<Eigen::Index>(0, (size - reach) / block);
   const double blockRate = rate / static_cast<double>(block);
-  const double stepTime = eager ? kLaneStepTime * kDefaultCutoffHz / cutoffHz_ : kStandByTime;
+  const double stepTime = eager ? kStepTime * kDefaultCutoffHz / cutoffHz_ : kStandByTime;
   const auto step = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(stepTime * blockRate));
   if (ready - next_ < (last ? 1 : step)) return false;
 

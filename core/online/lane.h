@@ -5,6 +5,9 @@
 
 namespace heft {
 
+/// Between two looks at the data [s]: each smooths 1.2 s anew.
+constexpr double kStepTime = 0.08;
+
 /// LaneBlocks in time order; stretches follow one another.
 struct LaneBlocks {
   double rateHz = 0.0;
@@ -31,7 +34,7 @@ class Lane {
   /// How far blocks stay behind the newest sample [s].
   double delay() const { return 15.0 / cutoffHz_; }
 
-  /// Appends what has become ready: in steps of about 80 ms at 25 Hz where it is shown (`eager`), of two seconds where
+  /// Appends what has become ready: in steps of kStepTime at 25 Hz where it is shown (`eager`), of two seconds where
   /// it only stands by. With `last` everything that is left. False if nothing was.
   bool advance(const SampleStream& stream, const RobotModel* robot, bool eager, bool last);
   /// A new stretch begins.

@@ -21,7 +21,6 @@ namespace heft {
 
 namespace {
 
-constexpr double kStepTime = 0.08;      // [s] between two looks at the data: each smooths 1.2 s anew
 constexpr Eigen::Index kMost = 1500;    // blocks that are kept (30 s);
 constexpr Eigen::Index kDropped = 300;  // so many go at a time
 constexpr Eigen::Index kFirst = 40;     // blocks before the first estimate
