@@ -9,12 +9,18 @@ namespace heft {
 
 namespace {
 
-/// Four rows of a column, wherever they lie. Sums go in four parts on every machine, so that all find the same.
-using FourRows = double __attribute__((vector_size(32), aligned(8)));
+/// Four rows of a column. Sums go in four parts on every machine, so that all find the same.
+using FourRows = double __attribute__((vector_size(32)));
+/// The same anywhere in memory: Clang takes an alignment below the type's own only from a packed structure.
+struct [[gnu::packed, gnu::may_alias]] FourRowsInMemory {
+  FourRows rows;
+};
 
-[[gnu::always_inline]] inline FourRows& fourRows(double* at) { return *reinterpret_cast<FourRows*>(at); }
-[[gnu::always_inline]] inline const FourRows& fourRows(const double* at) {
-  return *reinterpret_cast<const FourRows*>(at);
+[[gnu::always_inline]] inline FourRowsInMemory& inMemory(double* at) {
+  return *reinterpret_cast<FourRowsInMemory*>(at);
+}
+[[gnu::always_inline]] inline const FourRowsInMemory& inMemory(const double* at) {
+  return *reinterpret_cast<const FourRowsInMemory*>(at);
 }
 [[gnu::always_inline]] inline double sumOf(const FourRows& x) { return (x[0] + x[1]) + (x[2] + x[3]); }
 
@@ -30,10 +36,10 @@ struct Chunk {
   double* const x = chunk.column(c);
   FourRows even{}, odd{};
   for (Eigen::Index k = 0; k < chunk.rows; k += 8) {
-    const FourRows first = fourRows(x + k) + w * fourRows(v + k),
-                   second = fourRows(x + k + 4) + w * fourRows(v + k + 4);
-    fourRows(x + k) = first;
-    fourRows(x + k + 4) = second;
+    const FourRows first = inMemory(x + k).rows + w * inMemory(v + k).rows,
+                   second = inMemory(x + k + 4).rows + w * inMemory(v + k + 4).rows;
+    inMemory(x + k).rows = first;
+    inMemory(x + k + 4).rows = second;
     even += first * first;
     odd += second * second;
   }
@@ -48,11 +54,11 @@ template <int Count>
   FourRows sum[Count];
   for (int i = 0; i < Count; ++i) sum[i] = FourRows{};
   for (Eigen::Index k = 0; k < chunk.rows; k += 4) {
-    const FourRows ofV = fourRows(v + k), ofNext = fourRows(next + k);
+    const FourRows ofV = inMemory(v + k).rows, ofNext = inMemory(next + k).rows;
     for (int i = 0; i < Count; ++i) {
-      FourRows& at = fourRows(x + i * chunk.stride + k);
-      const FourRows moved = at + w[i] * ofV;
-      at = moved;
+      FourRowsInMemory& at = inMemory(x + i * chunk.stride + k);
+      const FourRows moved = at.rows + w[i] * ofV;
+      at.rows = moved;
       sum[i] += ofNext * moved;
     }
   }

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <memory>
+#include <new>
+
 #include "tests/support/random_payload.h"
 
 namespace heft {
@@ -61,6 +65,24 @@ TEST(Triangle, HoldsTheWholeProblem) {
   const Triangle R = compress(rows);
   EXPECT_TRUE(R.isUpperTriangular());
   EXPECT_LT((R.transpose() * R - rows.transpose() * rows).norm(), 1e-12 * (rows.transpose() * rows).norm());
+}
+
+/// Its loads of four rows at once must not count on more than the type's own alignment.
+TEST(Triangle, IsTheSameWhereverItsBuilderLies) {
+  std::mt19937 random(3);
+  const Rows rows = randomRows(random, test::randomPayload(random), kBias, 100, 0.1);
+  const Triangle expected = compress(rows);
+  constexpr std::size_t kStep = alignof(TriangleBuilder), kSteps = 64 / kStep;
+  struct alignas(64) Place {
+    std::byte bytes[sizeof(TriangleBuilder) + 64];
+  };
+  const auto place = std::make_unique<Place>();
+  for (std::size_t step = 0; step < kSteps; ++step) {
+    auto* const builder = new (place->bytes + step * kStep) TriangleBuilder;
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) builder->add(rows.row(i));
+    EXPECT_EQ(builder->finish(), expected) << step * kStep << " bytes beyond a multiple of 64";
+    std::destroy_at(builder);
+  }
 }
 
 TEST(Solvers, RecoverExactDataForEverySetOfParameters) {
