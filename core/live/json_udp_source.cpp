@@ -1,7 +1,9 @@
 // JSON over UDP: one object a datagram, with the names that a CSV's columns have.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/base/say.h"
 #include "core/import/json_numbers.h"
@@ -14,6 +16,11 @@
 namespace heft {
 
 namespace {
+
+/// Which of motion, wrench and inertial sensor a sample holds: 0 to 7.
+std::size_t partsOf(const LiveSample& sample) {
+  return (sample.hasMotion() ? 1U : 0U) | (sample.wrench ? 2U : 0U) | (sample.accelerometer ? 4U : 0U);
+}
 
 constexpr double kSenderGone = 1.0;  ///< [s] after which the sender counts as gone
 
@@ -72,11 +79,12 @@ class JsonUdpSource : public ThreadedSource {
       const double unit = time->unitKnown ? time->unit : unitOfTimes({values[time->index]});
       const double stamp = values[time->index] * unit;
       // A sender that begins anew, seconds back, is a new beginning; less is a packet that took another way.
-      if (lastStamp_ && stamp <= *lastStamp_ && stamp > *lastStamp_ - 5.0) {
+      std::optional<double>& last = lastStamps_[partsOf(*sample)];
+      if (last && stamp <= *last && stamp > *last - 5.0) {
         count([](SourceStatus& status) { ++status.reordered; });
         return;
       }
-      lastStamp_ = stamp;
+      last = stamp;
       sample->time = clock_.timeOf(stamp, now);
     }
     if (const auto notes = mapper_.notes(); !notes.empty()) count([&](SourceStatus& status) { status.notes = notes; });
@@ -89,7 +97,7 @@ class JsonUdpSource : public ThreadedSource {
   std::optional<UdpSocket> socket_;
   FieldMapper mapper_;
   StampClock clock_;
-  std::optional<double> lastStamp_;
+  std::array<std::optional<double>, 8> lastStamps_;  ///< By partsOf(): each may come in objects of its own
   JsonNumbers json_;
 };
 

@@ -93,7 +93,10 @@ std::optional<std::string_view> UdpSocket::receive(double seconds) {
     timeval wait{};
     wait.tv_sec = static_cast<time_t>(seconds);
     wait.tv_usec = std::max<suseconds_t>(1, static_cast<suseconds_t>(1e6 * (seconds - std::floor(seconds))));
-    if (::setsockopt(number_, SOL_SOCKET, SO_RCVTIMEO, &wait, sizeof(wait)) == 0) timeout_ = seconds;
+    if (::setsockopt(number_, SOL_SOCKET, SO_RCVTIMEO, &wait, sizeof(wait)) == 0)
+      timeout_ = seconds;
+    else if (!waitFor(number_, POLLIN, seconds))
+      return std::nullopt;
   }
   sockaddr_storage from{};
   socklen_t length = sizeof(from);

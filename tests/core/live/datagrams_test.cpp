@@ -1,6 +1,7 @@
 // Net F/T and JSON over UDP, byte by byte.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -163,6 +164,24 @@ TEST(JsonUdp, ObjectsBecomeSamples) {
   ASSERT_TRUE(samples[0].q);
   EXPECT_EQ((*samples[0].q)[6], 0.7);
   EXPECT_NEAR(samples[5].time - samples[0].time, 0.1, 1e-9) << "the sender's own times";
+}
+
+TEST(JsonUdp, MotionAndWrenchMayComeInObjectsOfTheirOwn) {
+  JsonLink link;
+  link.open();
+  for (int k = 0; k < 20; ++k) {
+    const double time = 100.0 + 0.01 * k;
+    link.sender->send(fmt::format(R"({{"time":{},"fx":{},"fy":2,"fz":3,"tx":4,"ty":5,"tz":6}})", time, k));
+    link.sender->send(
+        fmt::format(R"({{"time":{},"q1":{},"q2":0.2,"q3":0.3,"q4":0.4,"q5":0.5,"q6":0.6,"q7":0.7}})", time, 0.001 * k));
+  }
+  link.sender->send(R"({"time":100.1,"fx":9,"fy":2,"fz":3,"tx":4,"ty":5,"tz":6})");
+  ASSERT_TRUE(eventually([&] { return link.source->status().reordered == 1; })) << "the last one, and no other";
+  ASSERT_TRUE(link.collected.reach(10));
+  const auto samples = link.collected.samples();
+  EXPECT_TRUE(std::any_of(samples.begin(), samples.end(), [](const LiveSample& s) { return s.hasMotion(); }));
+  EXPECT_TRUE(std::any_of(samples.begin(), samples.end(), [](const LiveSample& s) { return s.wrench.has_value(); }));
+  EXPECT_EQ(link.source->status().reordered, 1u);
 }
 
 TEST(JsonUdp, SurvivesAnything) {
