@@ -105,7 +105,7 @@ WrenchRows narrowed(const WrenchRows& blocks, int stride, std::vector<Run>& runs
 
 namespace {
 
-FitRows rowsAt(int stride, const FitRowsQuestion& of, const std::optional<WrenchRows>& difference) {
+FitRows rowsAt(int stride, const FitRowsQuestion& of) {
   FitRows out;
   out.stride = stride;
   out.runs = of.runs;
@@ -122,12 +122,12 @@ FitRows rowsAt(int stride, const FitRowsQuestion& of, const std::optional<Wrench
   out.asWeighted = scores.whitened;
   out.whitened = honestTriangle(scores);
   stopPoint();
-  if (!difference) return out;
+  if (!of.motionNoise) return out;
   std::vector<Run> same = of.runs;
   const Triangle noise =
-      whitenedTriangles(narrowed(*difference, stride, same), out.weighting, out.weights, out.runs, 1).front();
+      whitenedTriangles(narrowed(of.motionNoise->rows, stride, same), out.weighting, out.weights, out.runs, 1).front();
   const auto Y = noise.middleCols<10>(kBiasColumns);  // Noise does not reach the columns of the sensor's biases
-  out.motionNoise = transposedProduct(Y, Y);
+  out.motionNoise = transposedProduct(Y, Y) / of.motionNoise->share;
   const Fit with = fitOf(out.whitened);
   out.whitened = honestTriangle(scores, out.motionNoise);
   const Fit without = fitOf(out.whitened);
@@ -158,7 +158,7 @@ FitRows asCertain(FitRows band, const FitRowsQuestion& of) {
 
 }  // namespace
 
-FitRows fitRowsOf(FitRowsQuestion of) {
+FitRows fitRowsOf(const FitRowsQuestion& of) {
   const auto enough = [&](int stride) {
     Eigen::Index rows = 0;
     for (const Run& run : of.runs) rows += rowsIn(run, stride);
@@ -166,17 +166,13 @@ FitRows fitRowsOf(FitRowsQuestion of) {
   };
   int predicts = std::max(of.predicts, of.atLeast);
   while (!enough(predicts)) predicts = std::max(1, predicts / 2);
-  if (!of.noisier || of.noisier->size() != of.blocks.size()) return asCertain(rowsAt(predicts, of, std::nullopt), of);
-  std::optional<WrenchRows> difference = std::move(of.noisier);
-  for (std::size_t k = 0; k < difference->Y.size(); ++k) difference->Y[k] -= of.blocks.Y[k];
-  difference->wrench.setZero();
-  if (of.fixed) return asCertain(rowsAt(predicts, of, difference), of);
+  if (!of.motionNoise || of.fixed) return asCertain(rowsAt(predicts, of), of);
   std::vector<FitRows> bands;
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (const int stride : kStrides) {
     if (!enough(stride)) break;
-    bands.push_back(rowsAt(stride, of, difference));
+    bands.push_back(rowsAt(stride, of));
     const FitRows& band = bands.back();
     const bool believed = stride >= of.atLeast && band.share < kMostNoiseShare && mostlyMotion(band);
     const double score = believed ? fitOf(band.whitened).std.array().log().sum() : kHopeless - stride;

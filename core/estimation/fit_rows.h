@@ -31,20 +31,25 @@ struct FitRows {
   double shortfall = 1.0;  ///< shortfallOfLearning(); `whitened` accounts for it.
 };
 
+/// What the noise of the recorded motion makes of the blocks: Y of the same motion with as much noise again, less Y.
+struct MotionNoiseRows {
+  WrenchRows rows;     ///< As many as there are blocks; zero where it was not asked
+  double share = 1.0;  ///< Of the blocks in the runs, for which it was asked
+};
+
 /// The band in which the payload is known best, errors by what is not known of the motion's noise counted: all of the
-/// blocks, or what is below 1/2, 1/4 or 1/8 of their rate. `noisier`: the same blocks with twice the noise in the
-/// motion, if that is known.
+/// blocks, or what is below 1/2, 1/4 or 1/8 of their rate.
 struct FitRowsQuestion {
   const WrenchRows& blocks;
   const std::vector<Run>& runs;
   KnownOfNoise known;
-  std::optional<WrenchRows> noisier;
-  const LearnedNoise* learned = nullptr;  ///< From the blocks, if that has been done.
-  int predicts = 1;                       ///< The stride that predicts the wrench best.
-  int atLeast = 1;                        ///< In wider bands motion and wrench are not filtered alike.
-  bool fixed = false;                     ///< No other will do.
-  std::optional<double> shortfall{};      ///< shortfallOfLearning(), if it is known.
+  std::optional<MotionNoiseRows> motionNoise;  ///< If it is known
+  const LearnedNoise* learned = nullptr;       ///< From the blocks, if that has been done.
+  int predicts = 1;                            ///< The stride that predicts the wrench best.
+  int atLeast = 1;                             ///< In wider bands motion and wrench are not filtered alike.
+  bool fixed = false;                          ///< No other will do.
+  std::optional<double> shortfall{};           ///< shortfallOfLearning(), if it is known.
 };
-FitRows fitRowsOf(FitRowsQuestion question);
+FitRows fitRowsOf(const FitRowsQuestion& question);
 
 }  // namespace heft

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/base/stop.h"
@@ -326,18 +329,20 @@ Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robo
   return out;
 }
 
-/// [s] Of a recording more than twice as long, the smoothing is chosen on so much of its middle: how noisy an arm's
-/// angles are does not change with time.
+/// [s] Of a recording more than twice as long, the smoothing is chosen on so much of its middle, and the motion's noise
+/// looked at in so much of it: how noisy an arm's angles are does not change with time.
 constexpr double kChoiceSpan = 150.0;
+
+/// The first row at or after a time.
+Eigen::Index rowAt(const Recording& recording, double time) {
+  return std::lower_bound(recording.time.begin(), recording.time.end(), time) - recording.time.begin();
+}
 
 /// The cut-off that bestSmoothed() has for the middle of a long recording. Fails where that tells too little.
 Result<double> cutoffOfMiddle(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                               const Understanding& as, const Progress& progress) {
   const double from = recording.time(0) + 0.5 * (recording.duration() - kChoiceSpan);
-  const auto rowAt = [&](double time) {
-    return std::lower_bound(recording.time.begin(), recording.time.end(), time) - recording.time.begin();
-  };
-  const Recording part = excerpt(recording, rowAt(from), rowAt(from + kChoiceSpan));
+  const Recording part = excerpt(recording, rowAt(recording, from), rowAt(recording, from + kChoiceSpan));
   if (part.rows() < 2) return Error{"Nothing was recorded there."};
   Understanding there = asStated(part, flatTops(part.wrench));
   there.reading = as.reading;
@@ -356,16 +361,96 @@ Result<double> cutoffOfMiddle(const Recording& recording, const RobotModel* robo
   return found.cutoffHz;
 }
 
+Result<WrenchRows> motionBlocks(const Recording& recording, const Recording& readings, const RobotModel* robot,
+                                const MotionOptions& options, const Understanding& as) {
+  auto motion = motionOf(recording, robot, motionOptions(recording, options, as));
+  if (!motion) return motion.error();
+  return blocksOf(understood(std::move(*motion), as), readings, as.held);
+}
+
 /// The blocks of the same motion with as much noise again as it has; nothing where that cannot be told.
-std::optional<WrenchRows> noisierBlocks(const Recording& recording, const RobotModel* robot, MotionOptions options,
-                                        const Understanding& as) {
-  options.outputRateHz = MotionOptions{}.outputRateHz;
-  auto noisier = noisierMotion(recording);
+std::optional<WrenchRows> noisierBlocks(const Recording& recording, const RobotModel* robot,
+                                        const MotionOptions& options, const Understanding& as, std::uint64_t seed = 1) {
+  const auto noisier = noisierMotion(recording, seed);
   if (!noisier) return std::nullopt;
-  auto motion = motionOf(*noisier, robot, motionOptions(recording, options, as));
-  noisier.reset();  // of an hour as large as all else
-  if (!motion) return std::nullopt;
-  return blocksOf(understood(std::move(*motion), as), recording, as.held);
+  auto blocks = motionBlocks(*noisier, recording, robot, options, as);
+  return blocks ? std::optional(std::move(*blocks)) : std::nullopt;
+}
+
+WrenchRows without(WrenchRows noisier, const WrenchRows& blocks) {
+  for (std::size_t k = 0; k < noisier.Y.size(); ++k) noisier.Y[k] -= blocks.Y[k];
+  noisier.wrench.setZero();
+  return noisier;
+}
+
+/// The readings that the log repeats, of rows [from, to) as if nothing else had been recorded.
+HeldValues heldIn(const HeldValues& all, Eigen::Index from, Eigen::Index to) {
+  HeldValues out = all;
+  out.rows.clear();
+  for (const auto row : all.rows)
+    if (row >= from && row < to) out.rows.push_back(row - from);
+  return out;
+}
+
+/// As motionNoiseOf() of a long recording, in windows that are spread over it.
+std::optional<MotionNoiseRows> motionNoiseInWindows(const Recording& recording, const RobotModel* robot,
+                                                    const MotionOptions& options, const Understanding& as,
+                                                    const WrenchRows& blocks, const std::vector<Run>& runs) {
+  constexpr std::size_t kWindows = 20;
+  constexpr double kEdge = 0.5;  // [s] at both ends of a window, where a filter begins and ends
+  const double length = kChoiceSpan / kWindows;
+  MotionNoiseRows out;
+  out.rows.startTime = blocks.startTime;
+  out.rows.rateHz = blocks.rateHz;
+  out.rows.samplesPerBlock = blocks.samplesPerBlock;
+  out.rows.wrench.setZero(6, blocks.size());
+  out.rows.Y.assign(blocks.Y.size(), Regressor::Zero());
+  std::vector<char> asked(blocks.Y.size(), 0);
+  std::atomic<bool> failed = false;
+  parallelFor(kWindows, [&](std::size_t w) {
+    const double middle = recording.time(0) + (static_cast<double>(w) + 0.5) * recording.duration() / kWindows;
+    const Eigen::Index from = rowAt(recording, middle - 0.5 * length), to = rowAt(recording, middle + 0.5 * length);
+    const Recording part = excerpt(recording, from, to);
+    if (part.duration() < 4.0 * kEdge) return;
+    Understanding there = as;
+    there.held = heldIn(as.held, from, to);
+    const auto plain = motionBlocks(part, part, robot, options, there);
+    const auto noisier = noisierBlocks(part, robot, options, there, w + 1);
+    if (!plain || !noisier || plain->size() != noisier->size()) {
+      failed = true;
+      return;
+    }
+    for (Eigen::Index k = 0; k < plain->size(); ++k) {
+      const double time = plain->time(k);
+      if (time < part.time(0) + kEdge || time > part.time(part.rows() - 1) - kEdge) continue;
+      const auto at = std::lround((time - blocks.startTime) * blocks.rateHz);
+      if (at < 0 || at >= blocks.size()) continue;
+      out.rows.Y[static_cast<std::size_t>(at)] =
+          noisier->Y[static_cast<std::size_t>(k)] - plain->Y[static_cast<std::size_t>(k)];
+      asked[static_cast<std::size_t>(at)] = 1;
+    }
+  });
+  if (failed) return std::nullopt;
+  Eigen::Index known = 0, all = 0;
+  for (const Run& run : runs) {
+    known += std::count(asked.begin() + run.from, asked.begin() + run.to, 1);
+    all += run.to - run.from;
+  }
+  if (50 * known < all) return std::nullopt;
+  out.share = static_cast<double>(known) / static_cast<double>(all);
+  return out;
+}
+
+/// Nothing where it cannot be told.
+std::optional<MotionNoiseRows> motionNoiseOf(const Recording& recording, const RobotModel* robot, MotionOptions options,
+                                             const Understanding& as, const WrenchRows& blocks,
+                                             const std::vector<Run>& runs) {
+  options.outputRateHz = MotionOptions{}.outputRateHz;
+  if (recording.duration() > 2.0 * kChoiceSpan)
+    if (auto out = motionNoiseInWindows(recording, robot, options, as, blocks, runs)) return out;
+  auto noisier = noisierBlocks(recording, robot, options, as);
+  if (!noisier || noisier->size() != blocks.size()) return std::nullopt;
+  return MotionNoiseRows{without(std::move(*noisier), blocks), 1.0};
 }
 
 /// FitRows::stride that is needed at least. Readings of single moments: above the motion's band there is nothing beside
@@ -386,10 +471,8 @@ FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const Es
   const int stride = std::max(1, static_cast<int>(std::lround(kDefaultCutoffHz / prepared.cutoffHz)));
   MotionOptions wide = options.motion;
   wide.cutoffHz = std::max(kDefaultCutoffHz, prepared.cutoffHz);
-  if (!widest && stride > 1) {
-    auto motion = motionOf(recording, robot, motionOptions(recording, wide, as));
-    if (motion) widest = blocksOf(understood(std::move(*motion), as), recording, as.held);
-  }
+  if (!widest && stride > 1)
+    if (auto blocks = motionBlocks(recording, recording, robot, wide, as)) widest = std::move(*blocks);
   // Rows of a motion that was moved to the sensor's origin (addSwing) have no others beside them.
   if (!prepared.motion.originAccelerationKnown || prepared.motion.accelerometer ||
       (widest && widest->size() != prepared.blocks.size()))
@@ -398,12 +481,12 @@ FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const Es
   FitRowsQuestion about{own ? prepared.blocks : *widest,
                         prepared.runs,
                         {prepared.silent, prepared.rounding},
-                        noisierBlocks(recording, robot, wide, as),
+                        motionNoiseOf(recording, robot, wide, as, own ? prepared.blocks : *widest, prepared.runs),
                         own ? &learned : nullptr};
   about.predicts = stride;
   about.atLeast = strideFor(as.held, recording.rateHz());
   about.fixed = fixed;
-  return fitRowsOf(std::move(about));
+  return fitRowsOf(about);
 }
 
 }  // namespace

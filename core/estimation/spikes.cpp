@@ -126,11 +126,12 @@ using Limits = std::array<std::vector<double>, 6>;
 /// Replaces discharges by lines, marks their rows and says how many there were.
 std::size_t bridgeDischarges(WrenchSamples& wrench, const Limits& limits, Eigen::Index part, Eigen::Index apart,
                              std::vector<bool>& touched) {
-  std::vector<Discharge> found;
-  for (int c = 0; c < 6; ++c) {
+  std::array<std::vector<Discharge>, 6> ofEach;
+  parallelFor(ofEach.size(), [&](std::size_t channel) {
+    const int c = static_cast<int>(channel);
+    std::vector<Discharge>& found = ofEach[channel];
     Eigen::Index rows = 0;
-    const std::size_t before = found.size();
-    const auto& own = limits[static_cast<std::size_t>(c)];
+    const auto& own = limits[channel];
     for (Eigen::Index i = 3 * kLevel; i + kLevel + 4 < wrench.rows() && !own.empty(); ++i) {
       if (std::abs(wrench(i, c) - wrench(i - 1, c)) < own[static_cast<std::size_t>(i / part)]) continue;
       std::array<double, 6> here{};
@@ -142,8 +143,10 @@ std::size_t bridgeDischarges(WrenchSamples& wrench, const Limits& limits, Eigen:
       rows += discharge->to - discharge->from;
       i = discharge->to;
     }
-    if (static_cast<double>(rows) > kMostSpikeShare * static_cast<double>(wrench.rows())) found.resize(before);
-  }
+    if (static_cast<double>(rows) > kMostSpikeShare * static_cast<double>(wrench.rows())) found.clear();
+  });
+  std::vector<Discharge> found;
+  for (const auto& each : ofEach) found.insert(found.end(), each.begin(), each.end());
   if (found.size() < kFewestDischarges) return 0;
   for (const Discharge& d : found)
     for (Eigen::Index i = d.from; i < d.to; ++i) {
@@ -159,12 +162,12 @@ std::size_t bridgeDischarges(WrenchSamples& wrench, const Limits& limits, Eigen:
 std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, const Limits& leaps, Eigen::Index part,
                            std::vector<bool>& touched) {
   const Eigen::Index n = wrench.rows();
-  std::size_t all = 0;
-  for (int c = 0; c < 6; ++c) {
-    const auto& limits = allLimits[static_cast<std::size_t>(c)];
-    if (limits.empty()) continue;
-    stopPoint();
-    std::vector<std::pair<Eigen::Index, double>> found;
+  std::array<std::vector<std::pair<Eigen::Index, double>>, 6> ofEach;
+  parallelFor(ofEach.size(), [&](std::size_t channel) {
+    const auto c = static_cast<Eigen::Index>(channel);
+    const auto& limits = allLimits[channel];
+    auto& found = ofEach[channel];
+    if (limits.empty()) return;
     for (Eigen::Index i = 3; i + 3 < n; ++i) {
       const double limit = limits[static_cast<std::size_t>(i / part)];
       const auto rows = wrench.col(c).segment(i - 3, 7);
@@ -173,7 +176,7 @@ std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, const
       if (off(3) < limit && off(2) < limit) continue;
       // Without the way that the load goes meanwhile.
       const Eigen::Array<double, 7, 1> course = Eigen::Array<double, 7, 1>::LinSpaced(-3.0, 3.0);
-      const bool moves = limit < leaps[static_cast<std::size_t>(c)][static_cast<std::size_t>(i / part)];
+      const bool moves = limit < leaps[channel][static_cast<std::size_t>(i / part)];
       const double slope =
           !moves ? 0.0 : median({(rows(6) - rows(0)) / 6.0, (rows(5) - rows(1)) / 4.0, (rows(4) - rows(2)) / 2.0});
       const Eigen::Array<double, 7, 1> near = rows.array() - slope * course;
@@ -191,12 +194,15 @@ std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, const
       if (((near - centre).abs() > std::max(aside * limit, kBack * height)).count() > 2) continue;
       found.emplace_back(i, centre);
     }
-    if (static_cast<double>(found.size()) > kMostSpikeShare * static_cast<double>(n)) continue;
-    for (const auto& [i, centre] : found) {
-      wrench(i, c) = centre;
+    if (static_cast<double>(found.size()) > kMostSpikeShare * static_cast<double>(n)) found.clear();
+  });
+  std::size_t all = 0;
+  for (std::size_t c = 0; c < ofEach.size(); ++c) {
+    for (const auto& [i, centre] : ofEach[c]) {
+      wrench(i, static_cast<Eigen::Index>(c)) = centre;
       touched[static_cast<std::size_t>(i)] = true;
     }
-    all += found.size();
+    all += ofEach[c].size();
   }
   return all;
 }

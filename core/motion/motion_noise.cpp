@@ -62,10 +62,10 @@ std::optional<VectorXd> whiteNoiseOf(const UniformGrid& grid, const VectorXd& ti
   return out;
 }
 
-std::optional<Recording> noisierMotion(const Recording& recording) {
+std::optional<Recording> noisierMotion(const Recording& recording, std::uint64_t seed) {
   const UniformGrid grid = gridFor(recording.time);
   if (grid.size > 20 * recording.rows() + 1000) return std::nullopt;
-  std::mt19937_64 random(1);
+  std::mt19937_64 random(seed);
   Recording out;
   out.file = recording.file;
   out.meta = recording.meta;

@@ -1,5 +1,6 @@
 #pragma once
 // How noisy recorded positions are, and what that does to the motion.
+#include <cstdint>
 #include <optional>
 
 #include "core/motion/resample.h"
@@ -15,8 +16,8 @@ std::optional<VectorXd> whiteNoiseOf(const UniformGrid& grid, const VectorXd& ti
 
 /// The motion of a recording, without its wrench, with as much noise added to its joints, poses and velocities again as
 /// there is already: what that changes in the motion is what the noise itself has done, but for its sign (Cook and
-/// Stefanski 1994, doi 10.1080/01621459.1994.10476871). The same recording gives the same noise. Absent where the noise
-/// cannot be told.
-std::optional<Recording> noisierMotion(const Recording& recording);
+/// Stefanski 1994, doi 10.1080/01621459.1994.10476871). The same recording and seed give the same noise. Absent where
+/// the noise cannot be told.
+std::optional<Recording> noisierMotion(const Recording& recording, std::uint64_t seed = 1);
 
 }  // namespace heft

@@ -6,6 +6,7 @@
 #include "core/estimation/noise_certainty.h"
 #include "core/estimation/prior.h"
 #include "core/estimation/standstill.h"
+#include "core/estimation/uncertainty.h"
 #include "core/math/linear_algebra.h"
 #include "core/segmentation/segmentation.h"
 
@@ -51,7 +52,7 @@ Triangle narrowFit(const Prepared& prepared, std::vector<Run> runs, const WideBa
   FitRowsQuestion question{wide.blocks, runs, {prepared.silent, prepared.rounding}, std::nullopt, nullptr};
   question.predicts = wide.stride;
   question.shortfall = shortfall;
-  const FitRows fit = fitRowsOf(std::move(question));
+  const FitRows fit = fitRowsOf(question);
   shortfall = fit.shortfall;
   return fit.whitened;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/base/say.h"
 
 namespace heft {
@@ -35,15 +36,19 @@ double Unwrapper::next(double angle, double step) {
 
 std::vector<int> unwrapJoints(const VectorXd& time, MatrixXd& q) {
   constexpr double kWholeTurn = 2.0 * std::numbers::pi;
-  std::vector<int> joints;
-  for (Eigen::Index j = 0; j < q.cols(); ++j) {
+  std::vector<char> jumped(static_cast<std::size_t>(q.cols()), 0);
+  parallelFor(jumped.size(), [&](std::size_t joint) {
+    const auto j = static_cast<Eigen::Index>(joint);
     Unwrapper angle(kWholeTurn);
     for (Eigen::Index k = 0; k < q.rows(); ++k) q(k, j) = angle.next(q(k, j), k > 0 ? time(k) - time(k - 1) : 0.0);
-    if (!angle.jumped()) continue;
-    joints.push_back(static_cast<int>(j));
+    if (!angle.jumped()) return;
+    jumped[joint] = 1;
     const double middle = 0.5 * (q.col(j).maxCoeff() + q.col(j).minCoeff());
     q.col(j).array() -= kWholeTurn * std::round(middle / kWholeTurn);
-  }
+  });
+  std::vector<int> joints;
+  for (std::size_t j = 0; j < jumped.size(); ++j)
+    if (jumped[j] != 0) joints.push_back(static_cast<int>(j));
   return joints;
 }
 

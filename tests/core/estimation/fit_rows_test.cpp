@@ -37,6 +37,35 @@ TEST(FitRows, APayloadFitsEveryBandAlike) {
   }
 }
 
+TEST(FitRows, MotionNoiseOfAPartStandsForTheWhole) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  const Vector10d phi = toParameters(test::randomPayload(random));
+  constexpr Eigen::Index kBlocks = 4000, kStretch = 200;
+  WrenchRows blocks;
+  blocks.rateHz = 50.0;
+  blocks.wrench.resize(6, kBlocks);
+  MotionNoiseRows whole{blocks, 1.0};
+  for (Eigen::Index k = 0; k < kBlocks; ++k) {
+    const auto any = [&](double size) {
+      return Vector3d(size * Vector3d::NullaryExpr([&] { return normal(random); }));
+    };
+    blocks.Y.push_back(regressor({any(9.0), any(2.0), any(10.0)}));
+    blocks.wrench.col(k) = blocks.Y.back() * phi + 0.1 * Vector6d::NullaryExpr([&] { return normal(random); });
+    whole.rows.Y.push_back(0.02 * regressor({any(1.0), any(0.1), any(1.0)}));
+  }
+  whole.rows.wrench.setZero();
+  MotionNoiseRows part = whole;
+  part.share = 0.5;
+  for (Eigen::Index k = 0; k < kBlocks; ++k)
+    if (k / kStretch % 2 == 0) part.rows.Y[static_cast<std::size_t>(k)].setZero();
+  const std::vector<heft::Run> runs{{0, kBlocks}};
+  const Matrix10d ofWhole = fitRowsOf({blocks, runs, {}, whole}).motionNoise;
+  const Matrix10d ofPart = fitRowsOf({blocks, runs, {}, part}).motionNoise;
+  EXPECT_GT(ofWhole.norm(), 1.0);
+  EXPECT_LT((ofPart - ofWhole).norm(), 0.1 * ofWhole.norm());
+}
+
 TEST(MotionNoise, IsToldUnderAMotion) {
   std::mt19937_64 random(2);
   std::normal_distribution<double> normal;

@@ -84,6 +84,43 @@ TEST(RoundingNoise, LastsUntilTheLoadPassesTheNextStep) {
   EXPECT_EQ(noise(5), 0.0);
 }
 
+/// A converter of 16 bit in so many readings that their values are looked up instead of sorted.
+TEST(Loggers, StepsOfManyReadingsAreFound) {
+  constexpr Eigen::Index kRows = 400000;
+  Eigen::Matrix<double, Eigen::Dynamic, 6> wrench = Eigen::Matrix<double, Eigen::Dynamic, 6>::Zero(kRows, 6);
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  for (Eigen::Index k = 0; k < kRows; ++k)
+    wrench.row(k) << 0.00625 * std::round(200.0 * normal(random)), 0.5 * std::round(1e4 * normal(random)),
+        normal(random), k % 2 == 0 ? 0.0 : -0.0, k % 3 == 0 ? -0.0 : 1.0, 1.0;
+  const Vector6d steps = readingSteps(wrench, 400.0).step;
+  EXPECT_NEAR(steps(0), 0.00625, 1e-12);
+  EXPECT_NEAR(steps(1), 0.5, 1e-12);
+  EXPECT_EQ(steps(2), 0.0) << "no two alike";
+  EXPECT_EQ(steps(3), 0.0) << "zero has two signs and is one value";
+  EXPECT_EQ(steps(4), 1.0);
+}
+
+/// How noisy the motion is, is told in windows of a recording longer than 5 min.
+TEST(Loggers, ALongNoisyMotionIsMeasuredHonestly) {
+  int claims = 0;
+  for (std::uint64_t seed = 31; seed <= 32; ++seed) {
+    SimulateOptions options;
+    options.motion = MotionKind::excitation;
+    options.seed = seed;
+    options.duration = 320.0;
+    options.rateHz = 200.0;
+    options.positionNoise = 1e-4;
+    std::mt19937 random(static_cast<unsigned>(seed));
+    Simulated simulated = *simulate(RobotModel::panda(), test::randomTool(random).payload, options);
+    simulated.recording.dq.resize(0, 7);
+    const auto report = estimate(simulated.recording, &RobotModel::panda(), {});
+    ASSERT_TRUE(report.ok()) << report.error().message;
+    EXPECT_EQ(beyond(*report, simulated.truth.payload, 4.0, claims), 0) << "seed " << seed;
+  }
+  EXPECT_EQ(claims, 20);
+}
+
 TEST(Loggers, HeldReadingsCountOnceWithTheMotionOfTheirMoment) {
   int claims = 0, far = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
