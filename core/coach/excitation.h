@@ -2,6 +2,7 @@
 // A small multi-sine on top of a taught motion for its replay by the robot (after Farsoni et al. 2017, as the seed
 // paper suggests): the task stays what it is, and its free parts tell more about the tool.
 #include "core/coach/prediction.h"
+#include "core/online/online_information.h"
 
 namespace heft {
 

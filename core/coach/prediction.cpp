@@ -7,6 +7,8 @@
 
 #include "core/estimation/prepare.h"
 #include "core/estimation/prior.h"
+#include "core/estimation/triangle.h"
+#include "core/estimation/uncertainty.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft {

@@ -2,6 +2,7 @@
 // What a motion would tell that has not been made yet, from the information so far and the noise seen so far.
 #include "core/coach/guided_tool.h"
 #include "core/online/online_estimator.h"
+#include "core/online/online_information.h"
 
 namespace heft {
 

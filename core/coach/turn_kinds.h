@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/coach/coach.h"
+#include "core/online/online_information.h"
 
 namespace heft {
 

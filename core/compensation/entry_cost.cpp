@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/base/say.h"
+#include "core/estimation/uncertainty.h"
 #include "core/exporters/flange.h"
 #include "core/math/linear_algebra.h"
 #include "core/wrench/regressor.h"

@@ -6,6 +6,7 @@
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/compensation/proof.h"
+#include "core/estimation/uncertainty.h"
 
 namespace heft {
 

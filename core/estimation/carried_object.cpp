@@ -10,6 +10,7 @@
 #include "core/estimation/estimate_prepared.h"
 #include "core/estimation/judgement.h"
 #include "core/estimation/prior.h"
+#include "core/estimation/uncertainty.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft {

@@ -14,6 +14,8 @@
 #include "core/estimation/linear_estimate.h"
 #include "core/estimation/map.h"
 #include "core/estimation/prior.h"
+#include "core/estimation/triangle.h"
+#include "core/estimation/uncertainty.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft {

@@ -11,7 +11,7 @@
 #include "core/estimation/evidence.h"
 #include "core/estimation/identifiability.h"
 #include "core/estimation/options.h"
-#include "core/estimation/uncertainty.h"
+#include "core/payload/payload_interval.h"
 #include "core/recording/recording.h"
 #include "core/robot/robot_model.h"
 #include "core/segmentation/segmentation.h"

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/estimation/prior.h"
 #include "core/estimation/uncertainty.h"
 #include "core/math/linear_algebra.h"
 

@@ -2,9 +2,12 @@
 // What the data said, what the prior said, and how far the prior pulled.
 #include <optional>
 
-#include "core/estimation/prior.h"
+#include "core/estimation/linear_problem.h"
 
 namespace heft {
+
+struct PriorAlone;
+struct ToldParts;
 
 /// All vectors hold mass, com, Ixx, Ixy, Ixz, Iyy, Iyz, Izz about the centre of mass (componentsOf); NaN where nothing
 /// can be said.

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "core/base/say.h"
+#include "core/estimation/map.h"
+#include "core/estimation/prior.h"
 #include "core/estimation/uncertainty.h"
 #include "core/math/linear_algebra.h"
 

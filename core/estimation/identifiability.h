@@ -5,12 +5,15 @@
 #include <string_view>
 #include <vector>
 
-#include "core/estimation/map.h"
-#include "core/estimation/options.h"
-#include "core/estimation/prior.h"
-#include "core/motion/motion.h"
+#include "core/estimation/linear_problem.h"
+#include "core/payload/inertial_parameters.h"
 
 namespace heft {
+
+struct MapPrior;
+struct MapSolution;
+struct Motion;
+struct ToldParts;
 
 /// Where a number comes from.
 enum class Source {

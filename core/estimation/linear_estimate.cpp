@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/estimation/triangle.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft {

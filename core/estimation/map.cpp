@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/estimation/triangle.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft {

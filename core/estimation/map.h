@@ -7,7 +7,7 @@
 // body's own standard deviations, the first six its shape (Rucker & Wensing 2022, corrected; Lee, Wensing, Park 2020).
 #include <vector>
 
-#include "core/estimation/triangle.h"
+#include "core/estimation/linear_problem.h"
 #include "core/payload/stated_payload.h"
 
 namespace heft {

@@ -5,6 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/estimation/normal_draws.h"
+#include "core/estimation/triangle.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft {

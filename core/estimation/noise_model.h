@@ -4,8 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "core/estimation/triangle.h"
+#include "core/estimation/linear_problem.h"
 #include "core/math/statistics.h"
+#include "core/wrench/rows.h"
 
 namespace heft {
 

@@ -2,8 +2,8 @@
 // The seed paper's estimators (and their relatives) on one problem: x = [bias, phi], rows [A | y].
 #include <string>
 
+#include "core/estimation/linear_problem.h"
 #include "core/estimation/options.h"
-#include "core/estimation/triangle.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft {

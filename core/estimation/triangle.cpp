@@ -135,18 +135,4 @@ Eigen::Matrix<double, 6, kColumns + 1> blockRows(const WrenchRows& rows, Eigen::
   return A;
 }
 
-ReducedProblem reduced(const Triangle& R, const MatrixXd& map, const VectorXd& offset, Eigen::Index rowCount) {
-  const Eigen::Index d = map.cols();
-  MatrixXd stacked(kColumns + 1, d + 1);
-  stacked.leftCols(d) = product(R.leftCols<kColumns>(), map);
-  stacked.col(d) = R.col(kColumns) - R.leftCols<kColumns>() * offset;
-  const MatrixXd triangle = upperTriangle(stacked);
-  return {triangle.leftCols(d), triangle.col(d), map, offset, rowCount};
-}
-
-ReducedProblem reducedRows(const Rows& rows, const MatrixXd& map, const VectorXd& offset) {
-  return {product(rows.leftCols<kColumns>(), map), rows.col(kColumns) - rows.leftCols<kColumns>() * offset, map, offset,
-          rows.rows()};
-}
-
 }  // namespace heft

@@ -1,21 +1,12 @@
 #pragma once
-// The compressed problem: a 17 x 17 triangle that holds everything a least-squares solver needs to know about all rows.
+// From rows to the compressed problem, and what can be asked of it.
 #include <algorithm>
 #include <vector>
 
-#include "core/math/rigid.h"
+#include "core/estimation/linear_problem.h"
 #include "core/wrench/rows.h"
 
 namespace heft {
-
-/// Columns of the linear problem A x = y with x = [bias force, bias torque, phi]: the biases stand first, so that the
-/// trailing 11 x 11 block is the problem with the biases already eliminated.
-constexpr int kBiasColumns = 6;
-constexpr int kColumns = 16;
-
-using Matrix10d = Eigen::Matrix<double, 10, 10>;
-using Triangle = Eigen::Matrix<double, kColumns + 1, kColumns + 1>;
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, kColumns + 1, Eigen::RowMajor>;
 
 /// Accumulates rows [A | y] into the upper triangle R with R^T R = [A|y]^T [A|y] by Householder reflections on chunks
 /// that stay in the processor's first cache: exact to rounding, in constant memory.
@@ -60,21 +51,5 @@ Triangle merged(const std::vector<Triangle>& parts);
 
 /// All six rows of block k as [bias | Y | y].
 Eigen::Matrix<double, 6, kColumns + 1> blockRows(const WrenchRows& rows, Eigen::Index k);
-
-/// A linear least-squares problem min |A z - y| after known values were put in: x = offset + map * z.
-/// Compressed it has at most 17 rows, otherwise all of them.
-struct ReducedProblem {
-  MatrixXd A;
-  VectorXd y;
-  MatrixXd map;               ///< 16 x d
-  VectorXd offset;            ///< 16
-  Eigen::Index rowCount = 0;  ///< Rows behind it, for degrees of freedom.
-
-  VectorXd full(const VectorXd& z) const { return offset + map * z; }
-};
-
-/// Puts x = offset + map z into the triangle (or into all rows) and, for a triangle, makes it upper triangular again.
-ReducedProblem reduced(const Triangle& R, const MatrixXd& map, const VectorXd& offset, Eigen::Index rowCount);
-ReducedProblem reducedRows(const Rows& rows, const MatrixXd& map, const VectorXd& offset);
 
 }  // namespace heft

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/estimation/normal_draws.h"
+#include "core/estimation/triangle.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft {

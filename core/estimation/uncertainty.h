@@ -1,21 +1,11 @@
 #pragma once
 // Intervals for every reported number.
-#include <array>
 #include <functional>
 
 #include "core/estimation/map.h"
+#include "core/payload/payload_interval.h"
 
 namespace heft {
-
-struct Interval {
-  double lower = 0.0, upper = 0.0;
-};
-
-struct PayloadInterval {
-  Interval mass;
-  std::array<Interval, 3> com;
-  std::array<std::array<Interval, 3>, 3> inertiaCom;
-};
 
 /// What files hold, as one vector: mass, com, Ixx, Ixy, Ixz, Iyy, Iyz, Izz about the centre of mass.
 Vector10d componentsOf(const Payload& payload);

@@ -17,6 +17,7 @@ using Eigen::VectorXd;
 using Vector6d = Eigen::Matrix<double, 6, 1>;  ///< Wrench: force [N], then torque [N m].
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Vector10d = Eigen::Matrix<double, 10, 1>;
+using Matrix10d = Eigen::Matrix<double, 10, 10>;
 
 /// The matrix [v]x with skew(v) * u == v.cross(u).
 Matrix3d skew(const Vector3d& v);

@@ -5,6 +5,7 @@
 #include "core/estimation/fit_rows.h"
 #include "core/estimation/prepare.h"
 #include "core/estimation/prior.h"
+#include "core/estimation/triangle.h"
 #include "core/online/lane.h"
 #include "core/payload/shape_prior.h"
 

@@ -9,10 +9,13 @@
 
 #include "core/base/say.h"
 #include "core/estimation/prepare.h"
+#include "core/estimation/triangle.h"
+#include "core/estimation/uncertainty.h"
 #include "core/math/statistics.h"
 #include "core/motion/motion.h"
 #include "core/motion/mount_link.h"
 #include "core/online/block_learner.h"
+#include "core/online/online_information.h"
 #include "core/online/online_words.h"
 #include "core/online/tool_change.h"
 #include "core/recording/even_times.h"

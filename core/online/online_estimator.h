@@ -17,16 +17,16 @@
 #include "core/base/findings.h"
 #include "core/base/result.h"
 #include "core/estimation/identifiability.h"
-#include "core/estimation/map.h"
-#include "core/estimation/noise_model.h"
-#include "core/estimation/prior.h"
-#include "core/estimation/triangle.h"
-#include "core/estimation/uncertainty.h"
+#include "core/estimation/linear_problem.h"
+#include "core/payload/payload_interval.h"
 #include "core/payload/shape.h"
+#include "core/payload/stated_payload.h"
 #include "core/recording/recording.h"
 #include "core/robot/robot_model.h"
 
 namespace heft {
+
+struct OnlineInformation;
 
 /// One instant. Either `q` or `pose` is enough; where both are there, the pose counts.
 struct OnlineSample {
@@ -75,17 +75,6 @@ struct OnlineState {
   std::optional<double> toolChanged;  ///< When the present tool replaced another [s]
   double cutoffHz = 0.0;              ///< The motion is smoothed with this.
   Findings findings;                  ///< "tool_changed", "tool_back", "gaps", "samples_dropped", ...
-};
-
-/// What is known so far in the form that predictions need (core/coach).
-struct OnlineInformation {
-  Triangle whitened = Triangle::Zero();  ///< Rows so far, with honest variances
-  MapPrior prior;
-  MapSolution solution;
-  ToldParts told;
-  bool bias = true;
-  NoiseModel noise, weighting;  ///< As found, and as used for weighting; of blocks at `blockRateHz`
-  double blockRateHz = 0.0;
 };
 
 struct OnlineOptions {

@@ -1,4 +1,5 @@
 #include "core/online/tool_change.h"
+#include "core/estimation/triangle.h"
 #include "core/math/linear_algebra.h"
 
 #include <algorithm>

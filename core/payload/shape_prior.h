@@ -15,8 +15,6 @@
 
 namespace heft {
 
-using Matrix10d = Eigen::Matrix<double, 10, 10>;
-
 /// Standard deviations behind a certainty.
 struct ShapeTrust {
   double stretch;  ///< Of each dimension, relative.

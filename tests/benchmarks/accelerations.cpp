@@ -17,6 +17,7 @@
 
 #include "core/estimation/estimate.h"
 #include "core/estimation/map.h"
+#include "core/estimation/triangle.h"
 #include "core/math/statistics.h"
 #include "core/motion/motion.h"
 #include "core/recording/csv_reader.h"

@@ -4,6 +4,7 @@
 
 #include "core/coach/coach.h"
 #include "core/collision/clearance.h"
+#include "core/online/online_information.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/collision/random_motion.h"
 

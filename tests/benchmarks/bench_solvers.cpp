@@ -16,6 +16,7 @@
 #include "core/estimation/estimate.h"
 #include "core/estimation/map.h"
 #include "core/estimation/solvers.h"
+#include "core/estimation/triangle.h"
 #include "core/motion/motion.h"
 #include "core/recording/csv_reader.h"
 #include "core/simulation/simulate.h"

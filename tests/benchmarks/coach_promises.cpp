@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/online/online_information.h"
 #include "tests/core/coach/perform.h"
 #include "tests/support/random_tool.h"
 

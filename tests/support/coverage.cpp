@@ -7,6 +7,7 @@
 #include "core/estimation/estimate_prepared.h"
 #include "core/estimation/map.h"
 #include "core/estimation/prior.h"
+#include "core/estimation/uncertainty.h"
 #include "core/math/statistics.h"
 #include "tests/support/random_tool.h"
 

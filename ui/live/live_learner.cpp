@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/motion/motion.h"
+#include "core/online/online_information.h"
 #include "core/wrench/regressor.h"
 
 namespace heft {

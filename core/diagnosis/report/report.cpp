@@ -12,6 +12,7 @@
 #include "core/diagnosis/correction/corrected.h"
 #include "core/diagnosis/correction/model_json.h"
 #include "core/diagnosis/wording/words.h"
+#include "core/estimation/uncertainty.h"
 #include "core/recording/meta_file.h"
 
 namespace heft {

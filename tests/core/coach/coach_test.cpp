@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/online/online_information.h"
 #include "tests/core/coach/perform.h"
 
 namespace heft {

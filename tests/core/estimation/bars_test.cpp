@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/estimation/estimate.h"
+#include "core/estimation/uncertainty.h"
 #include "core/math/statistics.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/random_tool.h"

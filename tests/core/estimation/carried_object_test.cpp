@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/estimation/picked_up.h"
+#include "core/estimation/uncertainty.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/random_tool.h"
 

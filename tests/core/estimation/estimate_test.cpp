@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/estimation/uncertainty.h"
 #include "tests/support/estimation_fixtures.h"
 #include "tests/support/random_payload.h"
 

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/estimation/triangle.h"
 #include "core/estimation/uncertainty.h"
 #include "tests/support/random_payload.h"
 

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "core/estimation/triangle.h"
 #include "tests/support/random_payload.h"
 
 namespace heft {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <new>
 
+#include "core/estimation/triangle.h"
 #include "tests/support/random_payload.h"
 
 namespace heft {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/estimation/estimate.h"
+#include "core/estimation/map.h"
 #include "tests/support/estimation_fixtures.h"
 #include "tests/support/random_payload.h"
 

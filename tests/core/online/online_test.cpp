@@ -1,3 +1,5 @@
+#include "core/estimation/triangle.h"
+#include "core/estimation/uncertainty.h"
 #include "core/online/online_estimator.h"
 
 #include <gmock/gmock.h>
