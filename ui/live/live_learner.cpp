@@ -52,12 +52,11 @@ Result<std::shared_ptr<LiveLearner>> LiveLearner::create(const LearnerSetup& set
   }
   auto plain = PlainSamples::create(setup.meta, setup.robot.get());
   if (!plain) return plain.error();
-  return std::shared_ptr<LiveLearner>(
-      new LiveLearner(setup, std::move(*plain), std::move(*estimator), std::move(tool)));
+  return std::shared_ptr<LiveLearner>(new LiveLearner(setup, std::move(*plain), std::move(*estimator), tool));
 }
 
 LiveLearner::LiveLearner(const LearnerSetup& setup, PlainSamples plain, OnlineEstimator estimator,
-                         std::optional<GuidedTool> tool)
+                         const std::optional<GuidedTool>& tool)
     : setup_(setup),
       plain_(std::move(plain)),
       estimator_(std::move(estimator)),

@@ -67,7 +67,8 @@ class LiveLearner {
   void removePose(std::size_t index);
 
  private:
-  LiveLearner(const LearnerSetup& setup, PlainSamples plain, OnlineEstimator estimator, std::optional<GuidedTool> tool);
+  LiveLearner(const LearnerSetup& setup, PlainSamples plain, OnlineEstimator estimator,
+              const std::optional<GuidedTool>& tool);
   void note(const OnlineSample& sample);
   void simulate();
   Isometry3d poseOf(const OnlineSample& sample) const;
