@@ -12,6 +12,7 @@
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/pipeline/hypothesis_search.h"
 #include "core/math/linear_algebra.h"
+#include "core/recording/row_at.h"
 #include "core/wrench/regressor.h"
 
 namespace heft::diagnosis {
@@ -38,10 +39,7 @@ Readings cut(const Readings& readings, const Rows& rows) {
 }
 
 Rows rowsBetween(const Recording& recording, double from, double to) {
-  const auto at = [&](double t) {
-    return std::lower_bound(recording.time.begin(), recording.time.end(), t) - recording.time.begin();
-  };
-  return {at(from), at(to)};
+  return {rowAt(recording.time, from), rowAt(recording.time, to)};
 }
 
 /// The kPart seconds in which payload and zero are told best by rows that may be judged.

@@ -16,6 +16,7 @@
 #include "core/diagnosis/pipeline/smoothing_candidate.h"
 #include "core/recording/channels.h"
 #include "core/recording/leaps.h"
+#include "core/recording/row_at.h"
 
 namespace heft::diagnosis {
 
@@ -41,9 +42,8 @@ Runs hiddenBy(const std::vector<DeadBand>& bands) {
 Runs aroundLeaps(const Recording& recording) {
   Runs out;
   const VectorXd& time = recording.time;
-  const auto rowAt = [&time](double t) { return std::lower_bound(time.begin(), time.end(), t) - time.begin(); };
   for (const Eigen::Index k : postureLeaps(recording))
-    out.emplace_back(rowAt(time(k - 1) - kAroundLeap), rowAt(time(k) + kAroundLeap));
+    out.emplace_back(rowAt(time, time(k - 1) - kAroundLeap), rowAt(time, time(k) + kAroundLeap));
   return out;
 }
 

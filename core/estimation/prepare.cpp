@@ -23,6 +23,7 @@
 #include "core/recording/even_times.h"
 #include "core/recording/frozen.h"
 #include "core/recording/held.h"
+#include "core/recording/row_at.h"
 #include "core/recording/steps.h"
 #include "core/segmentation/flat_tops.h"
 
@@ -333,16 +334,11 @@ Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robo
 /// looked at in so much of it: how noisy an arm's angles are does not change with time.
 constexpr double kChoiceSpan = 150.0;
 
-/// The first row at or after a time.
-Eigen::Index rowAt(const Recording& recording, double time) {
-  return std::lower_bound(recording.time.begin(), recording.time.end(), time) - recording.time.begin();
-}
-
 /// The cut-off that bestSmoothed() has for the middle of a long recording. Fails where that tells too little.
 Result<double> cutoffOfMiddle(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                               const Understanding& as, const Progress& progress) {
   const double from = recording.time(0) + 0.5 * (recording.duration() - kChoiceSpan);
-  const Recording part = excerpt(recording, rowAt(recording, from), rowAt(recording, from + kChoiceSpan));
+  const Recording part = excerpt(recording, rowAt(recording.time, from), rowAt(recording.time, from + kChoiceSpan));
   if (part.rows() < 2) return Error{"Nothing was recorded there."};
   Understanding there = asStated(part, flatTops(part.wrench));
   there.reading = as.reading;
@@ -409,11 +405,13 @@ std::optional<MotionNoiseRows> motionNoiseInWindows(const Recording& recording, 
   std::atomic<bool> failed = false;
   parallelFor(kWindows, [&](std::size_t w) {
     const double middle = recording.time(0) + (static_cast<double>(w) + 0.5) * recording.duration() / kWindows;
-    const Eigen::Index from = rowAt(recording, middle - 0.5 * length), to = rowAt(recording, middle + 0.5 * length);
+    const Eigen::Index from = rowAt(recording.time, middle - 0.5 * length),
+                       to = rowAt(recording.time, middle + 0.5 * length);
     const Recording part = excerpt(recording, from, to);
     if (part.duration() < 4.0 * kEdge) return;
     Understanding there = as;
     there.held = heldIn(as.held, from, to);
+    if (as.held.period > 0.0 && there.held.rows.empty()) return;
     const auto plain = motionBlocks(part, part, robot, options, there);
     const auto noisier = noisierBlocks(part, robot, options, there, w + 1);
     if (!plain || !noisier || plain->size() != noisier->size()) {

@@ -3,8 +3,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/math/linear_algebra.h"
-
 namespace heft {
 
 namespace {

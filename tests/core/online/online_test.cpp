@@ -1,5 +1,3 @@
-#include "core/estimation/triangle.h"
-#include "core/estimation/uncertainty.h"
 #include "core/online/online_estimator.h"
 
 #include <gmock/gmock.h>
@@ -12,6 +10,8 @@
 
 #include "core/estimation/estimate.h"
 #include "core/estimation/prepare.h"
+#include "core/estimation/triangle.h"
+#include "core/estimation/uncertainty.h"
 #include "core/online/block_learner.h"
 #include "tests/core/online/feed.h"
 
