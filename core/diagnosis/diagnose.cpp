@@ -74,6 +74,7 @@ void sortByStrength(std::vector<DiagnosedCause>& causes) {
 /// How large each cause that was not named would have to be, with this motion and noise.
 std::vector<Smallest> smallestVisible(Hypothesis& hypothesis, const std::vector<DiagnosedCause>& named,
                                       double threshold) {
+  constexpr double kClearlyLess = 1.0 - 1e-6;  // By more than rounding: two forms may have one parameter
   std::vector<Smallest> out;
   const auto bank = hypothesis.bank.around(hypothesis.signals, hypothesis.search.final.model);
   const auto visible = leastVisible(hypothesis.signals, hypothesis.stretches, hypothesis.search.final, bank, threshold);
@@ -94,7 +95,7 @@ std::vector<Smallest> smallestVisible(Hypothesis& hypothesis, const std::vector<
       const auto known = std::ranges::find_if(out, [&](const Smallest& s) { return s.cause == id; });
       if (known == out.end())
         out.push_back({id, p.name, p.unit, value});
-      else if (value < known->value && p.unit == known->unit)
+      else if (value < kClearlyLess * known->value && p.unit == known->unit)
         *known = {id, p.name, p.unit, value};
     }
   }

@@ -184,7 +184,7 @@ Result<WhatIf> WhatIf::make(const Recording& recording, std::shared_ptr<const Ro
     return Error{heft::say("Too little free motion is left to show what a fault would do.")};
   parts->rest = fitModel(parts->signals, parts->stretches, Model{});
   parts->told = valueOf(parts->signals, parts->rest.model);
-  parts->columns = CachedJacobian(parts->signals, parts->rest.model).jacobian();
+  parts->columns = CachedJacobian(parts->signals, parts->rest.model).columns().dense();
   parts->whitenedColumns = whitened(parts->columns, parts->rest.noise, parts->stretches);
   parts->restSquares = parts->whitenedOf(parts->rest.residual).squaredNorm();
   // As much evidence as a verdict asks for, and what one parameter costs at most.

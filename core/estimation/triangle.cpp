@@ -3,24 +3,11 @@
 #include <array>
 #include <cmath>
 
+#include "core/math/four_rows.h"
+
 namespace heft {
 
 namespace {
-
-/// Four rows of a column. Sums go in four parts on every machine, so that all find the same.
-using FourRows = double __attribute__((vector_size(32)));
-/// The same anywhere in memory: Clang takes an alignment below the type's own only from a packed structure.
-struct [[gnu::packed, gnu::may_alias]] FourRowsInMemory {
-  FourRows rows;
-};
-
-[[gnu::always_inline]] inline FourRowsInMemory& inMemory(double* at) {
-  return *reinterpret_cast<FourRowsInMemory*>(at);
-}
-[[gnu::always_inline]] inline const FourRowsInMemory& inMemory(const double* at) {
-  return *reinterpret_cast<const FourRowsInMemory*>(at);
-}
-[[gnu::always_inline]] inline double sumOf(const FourRows& x) { return (x[0] + x[1]) + (x[2] + x[3]); }
 
 struct Chunk {
   double* columns;
@@ -93,9 +80,7 @@ template <int Count>
 }
 
 void addAsCompiled(const Chunk& chunk, Triangle& R) { addToTriangle(chunk, R); }
-#if defined(__x86_64__)
-__attribute__((target("avx2"))) void addWithAvx2(const Chunk& chunk, Triangle& R) { addToTriangle(chunk, R); }
-#endif
+HEFT_FOUR_ROWS_IN_ONE_REGISTER void addInOneRegister(const Chunk& chunk, Triangle& R) { addToTriangle(chunk, R); }
 
 }  // namespace
 
@@ -104,13 +89,7 @@ void TriangleBuilder::compress() {
   static_assert(kChunk % 8 == 0);
   chunk_.middleRows(filled_, rows - filled_).setZero();
   const Chunk chunk{chunk_.data(), kChunk, rows};
-#if defined(__x86_64__)
-  static const bool kAvx2 = __builtin_cpu_supports("avx2");
-  if (kAvx2)
-    addWithAvx2(chunk, R_);
-  else
-#endif
-    addAsCompiled(chunk, R_);
+  (fourRowsFitOneRegister() ? addInOneRegister : addAsCompiled)(chunk, R_);
   filled_ = 0;
 }
 

@@ -1,68 +1,212 @@
 #include "core/diagnosis/model/channel_columns.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "core/base/parallel.h"
+#include "core/math/column_products.h"
 
 namespace heft::diagnosis {
 
-ChannelColumns::ChannelColumns(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches,
-                               Eigen::Index first)
-    : columns_(columns.cols()), blocks_(columns.rows() / 6) {
-  std::vector<std::array<Eigen::Index, 6>> place(static_cast<std::size_t>(columns_));  // In its part; -1: it is zero
-  parallelFor(place.size(), [&](std::size_t i) {
-    const Eigen::Map<const Wrenches> channels(columns.col(static_cast<Eigen::Index>(i)).data(), 6, blocks_);
-    const Vector6d most = channels.cwiseAbs().rowwise().maxCoeff();
-    for (std::size_t c = 0; c < 6; ++c) place[i][c] = most(static_cast<Eigen::Index>(c)) == 0.0 ? -1 : 0;
-  });
-  for (std::size_t c = 0; c < 6; ++c) {
-    for (std::size_t i = 0; i < place.size(); ++i) {
-      if (place[i][c] < 0) continue;
-      place[i][c] = std::ssize(which_[c]);
-      which_[c].push_back(static_cast<Eigen::Index>(i));
-    }
-    parts_[c].resize(blocks_, std::ssize(which_[c]));
+namespace {
+
+using Channels = Eigen::Map<Wrenches>;
+using ConstChannels = Eigen::Map<const Wrenches>;
+
+constexpr std::size_t kChannels = 6;
+
+Eigen::Index rowOf(std::size_t channel) { return static_cast<Eigen::Index>(channel); }
+
+}  // namespace
+
+ChannelColumn::ChannelColumn(const Eigen::Ref<const Wrenches>& wrench, double factor) : blocks_(wrench.cols()) {
+  Vector6d most = Vector6d::Zero();
+  if (blocks_ > 0) most = wrench.cwiseAbs().rowwise().maxCoeff();
+  Eigen::Index kept = 0;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    at_[c] = most(rowOf(c)) == 0.0 ? -1 : kept;
+    if (at_[c] >= 0) kept += blocks_;
   }
-  parallelFor(place.size(), [&](std::size_t i) {
-    ByChannel x(blocks_, 6);
-    evenByChannel(columns.col(static_cast<Eigen::Index>(i)), noise, first, x);
-    for (std::size_t c = 0; c < 6; ++c)
-      if (place[i][c] >= 0)
-        innovate(x.col(static_cast<Eigen::Index>(c)), noise, c, stretches, first, parts_[c].col(place[i][c]));
-  });
+  values_.resize(kept);
+  for (std::size_t c = 0; c < kChannels; ++c)
+    if (at_[c] >= 0) values_.segment(at_[c], blocks_) = factor * wrench.row(rowOf(c)).transpose();
 }
 
-MatrixXd ChannelColumns::gram() const {
-  std::array<MatrixXd, 6> parts;
-  parallelFor(6, [&](std::size_t c) {
-    parts[c] = MatrixXd::Zero(parts_[c].cols(), parts_[c].cols());
-    parts[c].selfadjointView<Eigen::Lower>().rankUpdate(parts_[c].transpose());
-  });
-  MatrixXd out = MatrixXd::Zero(columns_, columns_);
-  for (std::size_t c = 0; c < 6; ++c) out(which_[c], which_[c]) += MatrixXd(parts[c].selfadjointView<Eigen::Lower>());
+ChannelColumn::ChannelColumn(std::size_t channel, VectorXd values)
+    : blocks_(values.size()), values_(std::move(values)) {
+  at_.fill(-1);
+  at_[channel] = 0;
+}
+
+Stretch ChannelColumn::support() const {
+  Stretch out{blocks_, 0};
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    if (isZero(c)) continue;
+    const auto values = channel(c);
+    const auto acts = [](double value) { return value != 0.0; };
+    const auto from = std::find_if(values.begin(), values.end(), acts) - values.begin();
+    if (from == blocks_) continue;
+    Eigen::Index to = blocks_;
+    while (!acts(values(to - 1))) --to;
+    out = {std::min(out.from, from), std::max(out.to, to)};
+  }
+  return out.from < out.to ? out : Stretch{};
+}
+
+ChannelColumn ChannelColumn::middle(Stretch blocks) const {
+  ChannelColumn out;
+  out.blocks_ = blocks.to - blocks.from;
+  out.values_.resize(values_.size() / std::max<Eigen::Index>(1, blocks_) * out.blocks_);
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    out.at_[c] = isZero(c) ? -1 : at_[c] / blocks_ * out.blocks_;
+    if (!isZero(c)) out.values_.segment(out.at_[c], out.blocks_) = channel(c).segment(blocks.from, out.blocks_);
+  }
+  return out;
+}
+
+VectorXd ChannelColumn::dense() const {
+  VectorXd out = VectorXd::Zero(6 * blocks_);
+  for (std::size_t c = 0; c < kChannels; ++c)
+    if (!isZero(c)) Channels(out.data(), 6, blocks_).row(rowOf(c)) = channel(c).transpose();
+  return out;
+}
+
+ChannelColumns::ChannelColumns(Eigen::Index blocks, Eigen::Index columns) : blocks_(blocks) { grow(columns); }
+
+ChannelColumns::ChannelColumns(const MatrixXd& dense) : ChannelColumns(dense.rows() / 6, dense.cols()) {
+  for (Eigen::Index i = 0; i < cols(); ++i) set(i, ChannelColumn(ConstChannels(dense.col(i).data(), 6, blocks_)));
+}
+
+void ChannelColumns::set(Eigen::Index i, ChannelColumn column) {
+  columns_[static_cast<std::size_t>(i)] = std::make_shared<const ChannelColumn>(std::move(column));
+}
+
+void ChannelColumns::grow(Eigen::Index columns) {
+  const auto nothing = std::make_shared<const ChannelColumn>(Wrenches(Wrenches::Zero(6, blocks_)));
+  columns_.resize(columns_.size() + static_cast<std::size_t>(columns), nothing);
+}
+
+Stretch ChannelColumns::support() const {
+  Stretch out{blocks_, 0};
+  for (const auto& column : columns_) {
+    const Stretch acts = column->support();
+    if (acts.from < acts.to) out = {std::min(out.from, acts.from), std::max(out.to, acts.to)};
+  }
+  return out.from < out.to ? out : Stretch{};
+}
+
+ChannelColumns ChannelColumns::middle(Stretch blocks) const {
+  ChannelColumns out(blocks.to - blocks.from, cols());
+  for (Eigen::Index i = 0; i < cols(); ++i) out.set(i, column(i).middle(blocks));
+  return out;
+}
+
+MatrixXd ChannelColumns::dense() const {
+  MatrixXd out(6 * blocks_, cols());
+  for (Eigen::Index i = 0; i < cols(); ++i) out.col(i) = column(i).dense();
   return out;
 }
 
 VectorXd ChannelColumns::times(const VectorXd& v) const {
-  VectorXd out(6 * blocks_);
-  Eigen::Map<Wrenches> channels(out.data(), 6, blocks_);
-  for (std::size_t c = 0; c < 6; ++c)
-    channels.row(static_cast<Eigen::Index>(c)) = (parts_[c] * v(which_[c])).transpose();
+  VectorXd out = VectorXd::Zero(6 * blocks_), sum(blocks_);
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    std::vector<const double*> acting;
+    std::vector<double> by;
+    for (Eigen::Index i = 0; i < cols(); ++i) {
+      if (v(i) == 0.0 || column(i).isZero(c)) continue;
+      acting.push_back(column(i).channel(c).data());
+      by.push_back(v(i));
+    }
+    if (acting.empty()) continue;
+    sumOfColumns(acting, by, sum);
+    Channels(out.data(), 6, blocks_).row(rowOf(c)) = sum.transpose();
+  }
   return out;
 }
 
-MatrixXd ChannelColumns::transposeTimes(const ChannelColumns& C, Eigen::Index from) const {
+WhitenedColumns::WhitenedColumns(const ChannelColumns& columns, const Noise& noise,
+                                 const std::vector<Stretch>& stretches, Eigen::Index first)
+    : columns_(columns.cols()), blocks_(columns.blocks()), first_(first) {
+  struct Piece {
+    std::size_t channel;
+    Eigen::Index place;
+  };
+  std::vector<Piece> pieces;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    Eigen::Index rows = 0;
+    for (const Stretch& stretch : stretches) {
+      // The first ones only fill the memory.
+      const Eigen::Index from = std::max<Eigen::Index>(0, stretch.from - first) + noise.channels[c].order(),
+                         count = std::min(blocks_, stretch.to - first) - from;
+      if (count <= 0) continue;
+      runs_[c].push_back({from, count, rows});
+      rows += count;
+    }
+    for (Eigen::Index i = 0; i < columns_; ++i) {
+      if (columns.column(i).isZero(c)) continue;
+      pieces.push_back({c, std::ssize(which_[c])});
+      which_[c].push_back(i);
+    }
+    parts_[c].resize(rows, std::ssize(which_[c]));
+  }
+  parallelFor(pieces.size(), [&](std::size_t i) {
+    stopPoint();
+    const auto [c, place] = pieces[i];
+    const auto values = columns.column(which_[c][static_cast<std::size_t>(place)]).channel(c);
+    VectorXd even;
+    if (noise.level != nullptr)
+      even = values.cwiseProduct(noise.level->byChannel.col(rowOf(c)).segment(first, blocks_));
+    const double* const x = noise.level != nullptr ? even.data() : values.data();
+    for (const Run& run : runs_[c])
+      innovate(x + run.from, noise.channels[c], run.count, parts_[c].col(place).data() + run.row);
+  });
+}
+
+MatrixXd WhitenedColumns::gram() const {
+  std::array<MatrixXd, kChannels> parts;
+  parallelFor(kChannels, [&](std::size_t c) { parts[c] = columnProducts(parts_[c]); });
+  MatrixXd out = MatrixXd::Zero(columns_, columns_);
+  for (std::size_t c = 0; c < kChannels; ++c) out(which_[c], which_[c]) += parts[c];
+  return out;
+}
+
+VectorXd WhitenedColumns::times(const VectorXd& v) const {
+  VectorXd out = VectorXd::Zero(6 * blocks_);
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    const VectorXd rows = parts_[c] * v(which_[c]);
+    for (const Run& run : runs_[c])
+      Channels(out.data(), 6, blocks_).row(rowOf(c)).segment(run.from, run.count) =
+          rows.segment(run.row, run.count).transpose();
+  }
+  return out;
+}
+
+MatrixXd WhitenedColumns::transposeTimes(const WhitenedColumns& C) const {
   MatrixXd out = MatrixXd::Zero(columns_, C.columns_);
-  for (std::size_t c = 0; c < 6; ++c)
-    out(which_[c], C.which_[c]) += parts_[c].middleRows(from, C.blocks_).transpose() * C.parts_[c];
+  const Eigen::Index ahead = C.first_ - first_;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    if (which_[c].empty() || C.which_[c].empty()) continue;
+    for (const Run& theirs : C.runs_[c]) {
+      const Eigen::Index from = theirs.from + ahead;
+      const auto own = std::ranges::find_if(
+          runs_[c], [&](const Run& run) { return run.from <= from && from < run.from + run.count; });
+      out(which_[c], C.which_[c]) += columnProducts(parts_[c].middleRows(own->row + from - own->from, theirs.count),
+                                                    C.parts_[c].middleRows(theirs.row, theirs.count));
+    }
+  }
   return out;
 }
 
-MatrixXd ChannelColumns::transposeTimes(const MatrixXd& C) const {
+MatrixXd WhitenedColumns::transposeTimes(const MatrixXd& C) const {
   MatrixXd out = MatrixXd::Zero(columns_, C.cols());
-  MatrixXd part(blocks_, C.cols());
-  for (std::size_t c = 0; c < 6; ++c) {
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    if (which_[c].empty()) continue;
+    MatrixXd part(parts_[c].rows(), C.cols());
     for (Eigen::Index i = 0; i < C.cols(); ++i)
-      part.col(i) = Eigen::Map<const VectorXd, 0, Eigen::InnerStride<6>>(C.col(i).data() + c, blocks_);
-    out(which_[c], Eigen::all) += parts_[c].transpose() * part;
+      for (const Run& run : runs_[c])
+        part.col(i).segment(run.row, run.count) =
+            ConstChannels(C.col(i).data(), 6, blocks_).row(rowOf(c)).segment(run.from, run.count).transpose();
+    out(which_[c], Eigen::all) += columnProducts(parts_[c], part);
   }
   return out;
 }

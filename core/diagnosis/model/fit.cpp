@@ -170,7 +170,7 @@ bool hasRandomWalk(const Model& model) {
   return std::any_of(model.terms.begin(), model.terms.end(), [](const Term& t) { return t.form->walk; });
 }
 
-Normal::Normal(const ChannelColumns& J, const VectorXd& sd) : information(J.gram()) {
+Normal::Normal(const WhitenedColumns& J, const VectorXd& sd) : information(J.gram()) {
   MatrixXd H = information;
   H.diagonal() += sd.cwiseAbs2().cwiseInverse();
   scale_ = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
@@ -219,7 +219,7 @@ bool isOfShape(const Term& term, Eigen::Index p, Eigen::Index) { return !isAmpli
 
 /// The step that `pull` asks for. What stands at its bound and would leave it stays: the others step as they would
 /// without it.
-VectorXd stepInside(const ChannelColumns& J, const Normal& normal, const VectorXd& pull, const Model& model,
+VectorXd stepInside(const WhitenedColumns& J, const Normal& normal, const VectorXd& pull, const Model& model,
                     const VectorXd& sd) {
   const VectorXd step = normal.solve(pull);
   bool leaves = false;
@@ -249,7 +249,7 @@ bool isAtBound(const Term& term) {
 /// Covariance, complexity and evidence of a fit whose model, noise and residual have come to rest. `sd`: as of
 /// weakPrior().
 void judge(Fit& fit, const CachedJacobian& columns, const std::vector<Stretch>& stretches, const VectorXd& sd) {
-  const Normal normal(ChannelColumns(columns.jacobian(), fit.noise, stretches), sd);
+  const Normal normal(WhitenedColumns(columns.columns(), fit.noise, stretches), sd);
   fit.information = normal.information;
   fit.covariance = normal.inverse();
   const Price price = priceOfTerms(fit.information, fit.model, sd, std::log(std::max(2.0, fit.noise.samples)));
@@ -283,7 +283,7 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
   double most = weights == Weights::coloured ? fit.noise.evidence : -1e300;
   int falls = 0;  // Rounds since then
   for (int round = 0; round < rounds && falls < kMostFalls; ++round) {
-    const ChannelColumns J(columns.jacobian(), fit.noise, stretches);
+    const WhitenedColumns J(columns.columns(), fit.noise, stretches);
     const VectorXd r = whitened(flat(fit.residual), fit.noise, stretches);
     const Normal normal(J, sd);
     const VectorXd pull = J.transposeTimes(r) - fit.model.packed().cwiseQuotient(sd.cwiseAbs2());
@@ -365,7 +365,7 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
   for (int round = 0; round < 2; ++round) {
     if (round > 0) columns.follow(model);
     const Wrenches residual = round == 0 ? fit.residual : Wrenches(signals.measured - valueOf(signals, model));
-    const ChannelColumns J(columns.jacobian(), fit.noise, stretches);
+    const WhitenedColumns J(columns.columns(), fit.noise, stretches);
     const VectorXd r = whitened(flat(residual), fit.noise, stretches), off = model.packed() - thought;
     const VectorXd step = Normal(J, sd).solve(J.transposeTimes(r) - off.cwiseQuotient(sd.cwiseAbs2()));
     Model next = moved(model, step, 1.0);
@@ -382,8 +382,8 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
   return model;
 }
 
-MatrixXd explainedSpace(const MatrixXd& jacobian, const Noise& noise, const std::vector<Stretch>& stretches) {
-  const MatrixXd J = whitened(jacobian, noise, stretches);
+MatrixXd explainedSpace(const ChannelColumns& columns, const Noise& noise, const std::vector<Stretch>& stretches) {
+  const MatrixXd J = whitened(columns.dense(), noise, stretches);
   const VectorXd size = J.colwise().norm().transpose().cwiseMax(1e-300).cwiseInverse();
   return columnSpace(J * size.asDiagonal());
 }

@@ -33,7 +33,7 @@ double complexityPenalty(double gain, double count, double lnN);
 /// Normal equations of whitened columns `J` with a prior of deviations `sd` around zero, scaled to a unit diagonal.
 class Normal {
  public:
-  Normal(const ChannelColumns& J, const VectorXd& sd);
+  Normal(const WhitenedColumns& J, const VectorXd& sd);
   VectorXd solve(const VectorXd& g) const { return scale_.asDiagonal() * unit_.solve(scale_.asDiagonal() * g); }
   MatrixXd inverse() const;
 
@@ -59,7 +59,8 @@ Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit f
 Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, CachedJacobian columns);
 
 /// Orthonormal columns (6N rows) that span what a change of the parameters can do to the whitened readings.
-MatrixXd explainedSpace(const MatrixXd& jacobian, const Noise& noise, const std::vector<Stretch>& stretches);
+/// `columns`: of the parameters.
+MatrixXd explainedSpace(const ChannelColumns& columns, const Noise& noise, const std::vector<Stretch>& stretches);
 
 /// What the waves of a walk cost in one channel, which shares the walk's size with two others: amplitudes (k = 1, 2,
 /// ..), their variances from the data alone, and the variance of the longest wave that the walk is said to have.

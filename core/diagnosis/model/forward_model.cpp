@@ -46,18 +46,12 @@ Wrenches payloadWrench(const Kinematics& kin, const Vector10d& phi) {
   const double m = phi(0);
   const Vector3d h = phi.segment<3>(1);
   const Matrix3d I = inertiaTensor(phi);
-  const bool weighs = m != 0.0 || !h.isZero(0.0), resists = !I.isZero(0.0);
   const Eigen::Index n = kin.omega.cols();
   Wrenches w(6, n);
   for (Eigen::Index k = 0; k < n; ++k) {
-    const Vector3d s = kin.specificForce.col(k), o = kin.omega.col(k), a = kin.alpha.col(k);
-    Vector3d force = Vector3d::Zero(), torque = Vector3d::Zero();
-    if (resists) torque = I * a + o.cross(I * o);
-    if (weighs) {
-      force = m * s + a.cross(h) + o.cross(o.cross(h));
-      torque += h.cross(s);
-    }
-    w.col(k) << force, torque;
+    const Vector3d s = kin.specificForce.col(k), o = kin.omega.col(k), a = kin.alpha.col(k), turning = I * o;
+    w.col(k).head<3>() = m * s + a.cross(h) + o.dot(h) * o - o.squaredNorm() * h;
+    w.col(k).tail<3>() = I * a + o.cross(turning) + h.cross(s);
   }
   return w;
 }

@@ -38,32 +38,33 @@ class Moving {
   Moving& operator=(const Moving&) = delete;
 
   /// Columns of the payload's parameters.
-  void fillPayload(MatrixXd& jacobian) const {
-    if (std::ranges::any_of(terms_, [](const Term* t) { return changesSums(*t); })) {
-      for (int j = 0; j < 10; ++j) {
-        Wrenches w = payloadWrench(kinematics_, Vector10d::Unit(j));
-        throughSensor(signals_, terms_, w, true);
-        jacobian.col(6 + j) = flat(averaged(signals_, w));
-      }
-      return;
-    }
-    const Eigen::Index m = signals_.samplesPerBlock;
-    for (Eigen::Index n = 0; n < signals_.blocks(); ++n) {
-      stopPoint();
+  void fillPayload(ChannelColumns& columns) const {
+    const bool changed = std::ranges::any_of(terms_, [](const Term* t) { return changesSums(*t); });
+    // What no sensor changes is averaged first.
+    const Eigen::Index together = changed ? 1 : signals_.samplesPerBlock, count = signals_.size() / together;
+    std::vector<Wrenches> wrenches(10, Wrenches(6, count));
+    for (Eigen::Index n = 0; n < count; ++n) {
+      if (n % 1024 == 0) stopPoint();
       Regressor sum = Regressor::Zero();
-      for (Eigen::Index k = n * m; k < (n + 1) * m; ++k)
+      for (Eigen::Index k = n * together; k < (n + 1) * together; ++k)
         sum += regressor({kinematics_.specificForce.col(k), kinematics_.omega.col(k), kinematics_.alpha.col(k)});
-      jacobian.block<6, 10>(6 * n, 6) = sum / static_cast<double>(m);
+      sum /= static_cast<double>(together);
+      for (Eigen::Index j = 0; j < 10; ++j) wrenches[static_cast<std::size_t>(j)].col(n) = sum.col(j);
+    }
+    for (std::size_t j = 0; j < 10; ++j) {
+      Wrenches& w = wrenches[j];
+      if (changed) throughSensor(signals_, terms_, w, true);
+      columns.set(6 + static_cast<Eigen::Index>(j), ChannelColumn(changed ? averaged(signals_, w) : w));
     }
   }
 
-  /// Columns of the term's parameters in `jacobian` from column `at` on, of its shape's only if `shapeOnly`; those that
+  /// Columns of the term's parameters in `columns` from `at` on, of its shape's only if `shapeOnly`; those that
   /// do not move stay as they are.
-  void fill(std::size_t term, MatrixXd& jacobian, Eigen::Index at, bool shapeOnly) const {
+  void fill(std::size_t term, ChannelColumns& columns, Eigen::Index at, bool shapeOnly) const {
     const Term& moved = model_.terms[term];
     const Form& form = *moved.form;
     if (form.walk && moved.moves(0)) {
-      fillWalk(moved, jacobian, at);
+      fillWalk(moved, columns, at);
       return;
     }
     std::vector<Eigen::Index> which;
@@ -79,7 +80,7 @@ class Moving {
     if (which.empty()) return;
     const std::vector<Wrenches> changes = changesBy(moved, std::move(values));
     for (std::size_t i = 0; i < which.size(); ++i)
-      jacobian.col(at + which[i]) = flat(averaged(signals_, changes[i])) / steps[i];
+      columns.set(at + which[i], ChannelColumn(averaged(signals_, changes[i]), 1.0 / steps[i]));
   }
 
  private:
@@ -135,13 +136,13 @@ class Moving {
   }
 
   /// Each wave once for all channels.
-  void fillWalk(const Term& term, MatrixXd& jacobian, Eigen::Index at) const {
+  void fillWalk(const Term& term, ChannelColumns& columns, Eigen::Index at) const {
     for (Eigen::Index p = 0; p < term.v.size(); p += 6, at += 6) {
       VectorXd one = VectorXd::Zero(term.v.size());
       one.segment<6>(p).setOnes();
       const Wrenches wave = averaged(signals_, addedBy(*term.form, {one}).front());
       for (Eigen::Index c = 0; c < 6; ++c)
-        for (Eigen::Index n = 0; n < wave.cols(); ++n) jacobian(6 * n + c, at + c) = wave(c, n);
+        columns.set(at + c, ChannelColumn(static_cast<std::size_t>(c), wave.row(c).transpose()));
     }
   }
 
@@ -184,19 +185,20 @@ CachedJacobian::CachedJacobian(const CachedJacobian& known, const Model& model) 
     const Term& term = model.terms[i];
     whole_.terms.push_back({term.form, term.form->start, term.active, term.walk});
   }
-  jacobian_ = MatrixXd::Zero(known.jacobian_.rows(), model.size());
-  jacobian_.leftCols(known.jacobian_.cols()) = known.jacobian_;
+  columns_ = known.columns_;
+  columns_.grow(model.size() - columns_.cols());
   follow(model);
 }
 
 void CachedJacobian::fill(const Model& model) {
-  jacobian_ = MatrixXd::Zero(6 * signals_->blocks(), model.size());
-  for (Eigen::Index n = 0; n < signals_->blocks(); ++n) jacobian_.block<6, 6>(6 * n, 0).setIdentity();
+  columns_ = ChannelColumns(signals_->blocks(), model.size());
+  for (Eigen::Index c = 0; c < 6; ++c)
+    columns_.set(c, ChannelColumn(static_cast<std::size_t>(c), VectorXd::Ones(signals_->blocks())));
   Moving moving(*signals_, model);
-  moving.fillPayload(jacobian_);
+  moving.fillPayload(columns_);
   Eigen::Index at = kLinear;
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
-    moving.fill(i, jacobian_, at, false);
+    moving.fill(i, columns_, at, false);
     at += model.terms[i].v.size();
   }
   whole_ = own_ = model;
@@ -244,7 +246,7 @@ void CachedJacobian::update(const Model& model, double far) {
   own_.terms.resize(std::max(own_.terms.size(), model.terms.size()));
   for (std::size_t i = 0; i < again.size(); ++i) {
     if (again[i] != Which::none) {
-      moving.fill(i, jacobian_, at, again[i] == Which::shape);
+      moving.fill(i, columns_, at, again[i] == Which::shape);
       own_.terms[i] = model.terms[i];
     }
     at += model.terms[i].v.size();
@@ -259,7 +261,7 @@ LinearisationPoint::LinearisationPoint(const Signals& signals, const Model& mode
       load_(loads(signals, model, terms_, kinematics_)),
       sensed_(sensed(signals, terms_, load_)) {}
 
-MatrixXd LinearisationPoint::signatures(const Form& form) const {
+ChannelColumns LinearisationPoint::signatures(const Form& form) const {
   const std::size_t count = form.scan.size();
   std::vector<VectorXd> moved(count, form.start);
   std::vector<double> steps(count);
@@ -292,9 +294,9 @@ MatrixXd LinearisationPoint::signatures(const Form& form) const {
     cause.sensors(form, moved, signals_, changes);
     for (Wrenches& w : changes) w = sensed(signals_, Order(later, terms_.end()), std::move(w)) - sensed_;
   }
-  MatrixXd out(6 * signals_.blocks(), static_cast<Eigen::Index>(count));
+  ChannelColumns out(signals_.blocks(), static_cast<Eigen::Index>(count));
   for (std::size_t i = 0; i < count; ++i)
-    out.col(static_cast<Eigen::Index>(i)) = flat(averaged(signals_, changes[i])) / steps[i];
+    out.set(static_cast<Eigen::Index>(i), ChannelColumn(averaged(signals_, changes[i]), 1.0 / steps[i]));
   return out;
 }
 

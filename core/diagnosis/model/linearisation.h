@@ -3,11 +3,12 @@
 // get.
 #include <vector>
 
+#include "core/diagnosis/model/channel_columns.h"
 #include "core/diagnosis/model/forward_model.h"
 
 namespace heft::diagnosis {
 
-/// How valueOf() changes with each parameter: 6N x size(), row 6 n + channel. They follow the model from step to step
+/// How valueOf() changes with each parameter: size() columns. They follow the model from step to step
 /// of a fit: columns that do not depend on what moved, or hardly, are kept. The signals must outlive them.
 class CachedJacobian {
  public:
@@ -20,14 +21,14 @@ class CachedJacobian {
   /// As good as new: nothing that differences tell has moved since.
   void refresh(const Model& model);
 
-  const MatrixXd& jacobian() const { return jacobian_; }
+  const ChannelColumns& columns() const { return columns_; }
 
  private:
   void fill(const Model& model);
   void update(const Model& model, double far);
 
   const Signals* signals_;
-  MatrixXd jacobian_;
+  ChannelColumns columns_;
   Model whole_, own_;  ///< Where all columns were worked out together, and each term's own ones
 };
 
@@ -35,8 +36,8 @@ class CachedJacobian {
 class LinearisationPoint {
  public:
   LinearisationPoint(const Signals& signals, const Model& model);
-  /// How the reading changes with each parameter in form.scan at form.start: 6N x scan.size().
-  MatrixXd signatures(const Form& form) const;
+  /// How the reading changes with each parameter in form.scan at form.start: scan.size() columns.
+  ChannelColumns signatures(const Form& form) const;
   /// Whether a term has S stand otherwise than recorded.
   bool turnsAxes() const { return kinematics_.turned != nullptr; }
   /// What the sensor makes of forces, where that is one matrix for all instants.

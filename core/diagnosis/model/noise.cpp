@@ -5,6 +5,7 @@
 
 #include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
+#include "core/math/four_rows.h"
 
 namespace heft::diagnosis {
 
@@ -140,21 +141,59 @@ MatrixXd even(const MatrixXd& columns, const Noise& noise) {
   return flat(noise.level->by).asDiagonal() * columns;
 }
 
+namespace {
+
+/// How much each of a value and of those before it counts.
+using Weights = std::array<double, kMaxOrder + 1>;
+
+/// Innovations of `Count` times four values.
+template <int Count>
+[[gnu::always_inline]] inline void innovateFour(const double* x, const Weights& weights, int order, double* out) {
+  FourRows sum[Count];
+  for (int i = 0; i < Count; ++i) sum[i] = weights[0] * inMemory(x + 4 * i).rows;
+  for (int back = 1; back <= order; ++back)
+    for (int i = 0; i < Count; ++i) sum[i] -= weights[static_cast<std::size_t>(back)] * inMemory(x + 4 * i - back).rows;
+  for (int i = 0; i < Count; ++i) inMemory(out + 4 * i).rows = sum[i];
+}
+
+[[gnu::always_inline]] inline void innovateAll(const double* x, const Weights& weights, int order, Eigen::Index count,
+                                               double* out) {
+  Eigen::Index k = 0;
+  for (; k + 16 <= count; k += 16) innovateFour<4>(x + k, weights, order, out + k);
+  for (; k + 4 <= count; k += 4) innovateFour<1>(x + k, weights, order, out + k);
+  for (; k < count; ++k) {
+    out[k] = weights[0] * x[k];
+    for (int back = 1; back <= order; ++back) out[k] -= weights[static_cast<std::size_t>(back)] * x[k - back];
+  }
+}
+
+void innovateAsCompiled(const double* x, const Weights& weights, int order, Eigen::Index count, double* out) {
+  innovateAll(x, weights, order, count, out);
+}
+HEFT_FOUR_ROWS_IN_ONE_REGISTER void innovateInOneRegister(const double* x, const Weights& weights, int order,
+                                                          Eigen::Index count, double* out) {
+  innovateAll(x, weights, order, count, out);
+}
+
+}  // namespace
+
+void innovate(const double* x, const ArModel& noise, Eigen::Index count, double* out) {
+  Weights weights{1.0 / noise.sigma};
+  for (int i = 0; i < noise.order(); ++i) weights[static_cast<std::size_t>(i + 1)] = noise.coefficients(i) * weights[0];
+  (fourRowsFitOneRegister() ? innovateInOneRegister : innovateAsCompiled)(x, weights, noise.order(), count, out);
+}
+
 void innovate(const Eigen::Ref<const VectorXd>& x, const Noise& noise, std::size_t channel,
               const std::vector<Stretch>& stretches, Eigen::Index first, Eigen::Ref<VectorXd> out) {
   stopPoint();
   const ArModel& model = noise.channels[channel];
-  const double scale = 1.0 / model.sigma;
   const Eigen::Index order = model.order();
   out.setZero();
   for (const auto& judged : stretches) {
     // The first ones only fill the memory.
     const Eigen::Index from = std::max<Eigen::Index>(0, judged.from - first) + order,
                        count = std::min(x.size(), judged.to - first) - from;
-    if (count <= 0) continue;
-    auto e = out.segment(from, count);
-    e = scale * x.segment(from, count);
-    for (Eigen::Index i = 0; i < order; ++i) e -= (model.coefficients(i) * scale) * x.segment(from - 1 - i, count);
+    if (count > 0) innovate(x.data() + from, model, count, out.data() + from);
   }
 }
 

@@ -56,6 +56,9 @@ void evenByChannel(const Eigen::Ref<const VectorXd>& rows, const Noise& noise, E
 void innovate(const Eigen::Ref<const VectorXd>& x, const Noise& noise, std::size_t channel,
               const std::vector<Stretch>& stretches, Eigen::Index first, Eigen::Ref<VectorXd> out);
 
+/// The same of `count` values from `x` on, all of them judged, which as many as the noise remembers stand before.
+void innovate(const double* x, const ArModel& noise, Eigen::Index count, double* out);
+
 /// The transpose of innovate(), of all blocks, on `e`: what multiplies a channel's values, made equally loud, to the
 /// product of their innovations with `e`.
 VectorXd innovateTransposed(const Eigen::Ref<const VectorXd>& e, const Noise& noise, std::size_t channel,

@@ -78,7 +78,7 @@ class OnChannels {
         innovate(course.col(part), ground_.noise, channel, ground_.stretches, 0, innovations_.col(part));
         continue;
       }
-      even_ = course.col(part).cwiseProduct(level->by.row(static_cast<Eigen::Index>(channel)).transpose());
+      even_ = course.col(part).cwiseProduct(level->byChannel.col(static_cast<Eigen::Index>(channel)));
       innovate(even_, ground_.noise, channel, ground_.stretches, 0, innovations_.col(part));
     }
     return innovations_;
@@ -166,10 +166,10 @@ std::vector<double> powersInTime(const Rhythms& rhythms, const WhitenedResidual&
     const NoiseScale::Level* level = ground.noise.level;
     adjoint.col(c) =
         innovateTransposed(r.row(c).transpose(), ground.noise, static_cast<std::size_t>(c), ground.stretches);
-    if (level != nullptr) adjoint.col(c).array() *= level->by.row(c).transpose().array();
+    if (level != nullptr) adjoint.col(c).array() *= level->byChannel.col(c).array();
     for (const auto& s : ground.stretches)
       judged(c) += level == nullptr ? static_cast<double>(s.to - s.from)
-                                    : level->by.row(c).segment(s.from, s.to - s.from).squaredNorm();
+                                    : level->byChannel.col(c).segment(s.from, s.to - s.from).squaredNorm();
   }
   const Eigen::MatrixXcd sums = rhythms.sumsOf(adjoint);
   std::vector<double> out(rhythms.waves().size());

@@ -266,11 +266,12 @@ class Chance {
 namespace {
 
 /// Twice the log-likelihood that the waves of a walk gain, as everything else is.
-double gainOfWalk(const Fit& fit, const MatrixXd& jacobian, const std::vector<Stretch>& stretches) {
+double gainOfWalk(const Fit& fit, const ChannelColumns& columns, const std::vector<Stretch>& stretches) {
   Wrenches without = fit.residual;
+  VectorXd waves = VectorXd::Zero(fit.model.size());
   for (const auto& [term, at] : indexedTerms(fit.model))
-    if (term->form->walk)
-      Eigen::Map<VectorXd>(without.data(), without.size()) += jacobian.middleCols(at, term->v.size()) * term->v;
+    if (term->form->walk) waves.segment(at, term->v.size()) = term->v;
+  Eigen::Map<VectorXd>(without.data(), without.size()) += columns.times(waves);
   return fit.noise.evidence - fitNoise(without, stretches, fit.noise.noiseScale).evidence;
 }
 
@@ -281,14 +282,14 @@ namespace {
 Structure strongest(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double least,
                     const std::vector<Group>& all) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  const MatrixXd jacobian = CachedJacobian(signals, fit.model).jacobian();
+  const ChannelColumns ofFit = CachedJacobian(signals, fit.model).columns();
   const bool wanders = hasRandomWalk(fit.model);
   // Beside a zero that wanders, what its waves leave over is no structure yet.
-  const double ofWalk = wanders ? kNamed + kFormError * gainOfWalk(fit, jacobian, stretches) : 0.0;
+  const double ofWalk = wanders ? kNamed + kFormError * gainOfWalk(fit, ofFit, stretches) : 0.0;
   // A strong structure hides behind the long memory of a noise that was learned from it: hence without memory too.
   const std::array<WhitenedResidual, 2> grounds{
-      WhitenedResidual(stretches, fit, jacobian, fit.noise, false),
-      WhitenedResidual(stretches, fit, jacobian, white(fit.residual, stretches, fit.noise.noiseScale), true)};
+      WhitenedResidual(stretches, fit, ofFit, fit.noise, false),
+      WhitenedResidual(stretches, fit, ofFit, white(fit.residual, stretches, fit.noise.noiseScale), true)};
   std::vector<std::array<Judged, 2>> judged(all.size());
   parallelFor(all.size(), [&](std::size_t i) {
     const MatrixXd columns = columnsOf(all[i], signals);

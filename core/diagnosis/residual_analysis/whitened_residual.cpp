@@ -12,10 +12,10 @@ constexpr Eigen::Index kFew = 72;  ///< Columns that may be taken all at once
 
 }  // namespace
 
-WhitenedResidual::WhitenedResidual(const std::vector<Stretch>& where, const Fit& what, const MatrixXd& jacobian,
+WhitenedResidual::WhitenedResidual(const std::vector<Stretch>& where, const Fit& what, const ChannelColumns& columns,
                                    const Noise& with, bool refits)
     : stretches(where), fit(what), noise(with), learnsAgain(refits) {
-  basis = explainedSpace(jacobian, noise, stretches);
+  basis = explainedSpace(columns, noise, stretches);
   take(even(flat(fit.residual), noise));
 }
 
@@ -40,7 +40,7 @@ void WhitenedResidual::take(const VectorXd& residual) {
 }
 
 Dictionary::Dictionary(const WhitenedResidual& ground, const MatrixXd& columns)
-    : ground_(ground), C_(columns, ground.noise, ground.stretches) {
+    : ground_(ground), C_(ChannelColumns(columns), ground.noise, ground.stretches) {
   constexpr double kLeft = 1e-9;  ///< Share of a column's squares that is left of it by rounding alone
   explained_ = C_.transposeTimes(ground.basis);
   products = C_.gram();

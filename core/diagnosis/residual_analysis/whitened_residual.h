@@ -21,8 +21,8 @@ struct WhitenedResidual {
 
   double before = 0.0;  ///< Evidence of the residual as it is, all blocks made equally loud
 
-  /// `jacobian`: of the fit's model.
-  WhitenedResidual(const std::vector<Stretch>& where, const Fit& what, const MatrixXd& jacobian, const Noise& with,
+  /// `columns`: of the fit's model.
+  WhitenedResidual(const std::vector<Stretch>& where, const Fit& what, const ChannelColumns& columns, const Noise& with,
                    bool refits);
   /// The same with another residual in its place, of the same noise with all blocks made equally loud.
   WhitenedResidual(const WhitenedResidual& other, const Wrenches& residual);
@@ -56,7 +56,7 @@ class Dictionary {
 
  private:
   const WhitenedResidual& ground_;
-  ChannelColumns C_;
+  WhitenedColumns C_;
   MatrixXd explained_;  ///< Products with the ground's basis, a row a column
   VectorXd scale_;
   SymmetricSolver together_;

@@ -83,7 +83,7 @@ Surrogates surrogates(const Signals& signals, const std::vector<Stretch>& stretc
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
   std::map<const Cause*, int> forms;
   for (const auto& signature : bank) ++forms[signature.form.cause];
-  const MatrixXd basis = explainedSpace(CachedJacobian(signals, fit.model).jacobian(), fit.noise, stretches);
+  const MatrixXd basis = explainedSpace(CachedJacobian(signals, fit.model).columns(), fit.noise, stretches);
   // Long recordings have thousands of forms: whitened columns are made for one at a time, once a batch.
   constexpr Eigen::Index kMostNumbers = 12'000'000;  // Of noise at a time, 96 MB
   const auto batch = std::max<Eigen::Index>(1, kMostNumbers / std::max<Eigen::Index>(1, basis.rows()));

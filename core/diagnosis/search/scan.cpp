@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/diagnosis/calibration.h"
@@ -47,13 +48,13 @@ double asWalk(VectorXd& amplitudes, const VectorXd& variances) {
 /// One way of weighting the rows.
 class Weighting {
  public:
-  /// `jacobian`: of the fit's model. All others must outlive this.
-  Weighting(const Noise& noise, const std::vector<Stretch>& stretches, const Fit& fit, const MatrixXd& jacobian)
+  /// `columns`: of the fit's model. All others must outlive this.
+  Weighting(const Noise& noise, const std::vector<Stretch>& stretches, const Fit& fit, ChannelColumns columns)
       : noise_(noise),
         stretches_(stretches),
         fit_(fit),
-        jacobian_(jacobian, Noise{}, {{0, jacobian.rows() / 6}}),
-        J_(jacobian, noise, stretches) {
+        columns_(std::move(columns)),
+        J_(columns_, noise, stretches) {
     r_ = whitened(flat(fit.residual), noise, stretches);
     inverse_ = Normal(J_, weakPrior(fit.model)).inverse();
     Jr_ = J_.transposeTimes(r_);
@@ -71,8 +72,8 @@ class Weighting {
 
   /// Standard deviation of each scanned parameter if it were the only one.
   VectorXd deviations(const Signature& signature) const {
-    const ChannelColumns C(signature.columns->dense(), noise_, stretches_, signature.reach.from);
-    const MatrixXd JC = J_.transposeTimes(C, signature.reach.from);
+    const WhitenedColumns C(*signature.columns, noise_, stretches_, signature.reach.from);
+    const MatrixXd JC = J_.transposeTimes(C);
     const VectorXd squares = C.gram().diagonal();
     VectorXd out(C.cols());
     for (Eigen::Index i = 0; i < C.cols(); ++i) {
@@ -84,11 +85,11 @@ class Weighting {
 
   /// Gain and score as the squares tell them, which is close where they are few.
   Answer firstGuess(const Signature& signature, double lnN) const {
-    const ChannelColumns C(signature.columns->dense(), noise_, stretches_, signature.reach.from);
-    const MatrixXd JC = J_.transposeTimes(C, signature.reach.from);
+    const WhitenedColumns C(*signature.columns, noise_, stretches_, signature.reach.from);
+    const MatrixXd JC = J_.transposeTimes(C);
     const MatrixXd own = C.gram();
     const MatrixXd G = own - JC.transpose() * inverse_ * JC;
-    const VectorXd g = C.transposeTimes(r_.segment(6 * signature.reach.from, signature.columns->rows())) -
+    const VectorXd g = C.transposeTimes(r_.segment(6 * signature.reach.from, 6 * signature.columns->blocks())) -
                        JC.transpose() * (inverse_ * Jr_);
     const Eigen::Index d = C.cols();
     Answer out;
@@ -145,8 +146,8 @@ class Weighting {
     if (answer.others.size() == 0) return;
     Wrenches residual = fit_.residual;
     Eigen::Map<VectorXd> left(residual.data(), residual.size());
-    left -= jacobian_.times(answer.others);
-    left.segment(6 * signature.reach.from, signature.columns->rows()) -= signature.columns->times(answer.gamma);
+    left -= columns_.times(answer.others);
+    left.segment(6 * signature.reach.from, 6 * signature.columns->blocks()) -= signature.columns->times(answer.gamma);
     score(answer, signature.form, fitNoise(residual, stretches_, fit_.noise.noiseScale).evidence - fit_.noise.evidence,
           lnN);
   }
@@ -169,8 +170,8 @@ class Weighting {
   const Noise& noise_;
   const std::vector<Stretch>& stretches_;
   const Fit& fit_;
-  ChannelColumns jacobian_;  ///< As it is, not whitened: in what is about one channel alone, zeros need no product
-  ChannelColumns J_;
+  ChannelColumns columns_;
+  WhitenedColumns J_;
   MatrixXd inverse_;
   VectorXd r_, Jr_;
 };
@@ -180,8 +181,7 @@ class Weighting {
 std::vector<VectorXd> leastVisible(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
                                    const std::vector<Signature>& bank, double threshold) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  const MatrixXd jacobian = CachedJacobian(signals, fit.model).jacobian();
-  const Weighting weighting(fit.noise, stretches, fit, jacobian);
+  const Weighting weighting(fit.noise, stretches, fit, CachedJacobian(signals, fit.model).columns());
   std::vector<VectorXd> out(bank.size());
   parallelFor(bank.size(), [&](std::size_t i) { out[i] = std::sqrt(threshold + lnN) * weighting.deviations(bank[i]); });
   return out;
@@ -215,8 +215,8 @@ std::vector<Candidate> scan(const Signals& signals, const std::vector<Stretch>& 
   std::map<std::pair<const Cause*, bool>, std::map<std::vector<int>, int>> forms;
   for (const auto& signature : bank) ++forms[{signature.form.cause, signature.form.rare}][signature.form.choice];
   const Noise flatNoise = white(fit.residual, stretches, fit.noise.noiseScale);
-  const MatrixXd jacobian = CachedJacobian(signals, fit.model).jacobian();
-  const Weighting coloured(fit.noise, stretches, fit, jacobian), plain(flatNoise, stretches, fit, jacobian);
+  const ChannelColumns columns = CachedJacobian(signals, fit.model).columns();
+  const Weighting coloured(fit.noise, stretches, fit, columns), plain(flatNoise, stretches, fit, columns);
   std::vector<std::array<Weighting::Answer, 2>> answers(bank.size());
   parallelFor(bank.size(), [&](std::size_t i) {
     answers[i] = {coloured.firstGuess(bank[i], lnN), plain.firstGuess(bank[i], lnN)};
@@ -259,8 +259,8 @@ struct OnsetRefinement::Around {
   Around(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const CachedJacobian& columns)
       : lnN(std::log(std::max(2.0, fit.noise.samples))),
         flat(white(fit.residual, stretches, fit.noise.noiseScale)),
-        coloured(fit.noise, stretches, fit, columns.jacobian()),
-        plain(flat, stretches, fit, columns.jacobian()),
+        coloured(fit.noise, stretches, fit, columns.columns()),
+        plain(flat, stretches, fit, columns.columns()),
         surroundings(signals, fit.model) {}
 
   double lnN;

@@ -14,8 +14,8 @@ namespace {
 
 Signature signatureOf(Form form, const LinearisationPoint& surroundings) {
   Signature out{std::move(form), {}, {}};
-  const MatrixXd all = surroundings.signatures(out.form);
-  out.fill(all, 0, all.rows() / 6);
+  const ChannelColumns all = surroundings.signatures(out.form);
+  out.fill(all, 0, all.blocks());
   return out;
 }
 
@@ -42,14 +42,11 @@ void fillPlain(Signature& signature, const Signals& signals, const Linearisation
 
 }  // namespace
 
-void Signature::fill(const MatrixXd& part, Eigen::Index first, Eigen::Index blocks) {
-  const auto isNothing = [&](Eigen::Index block) { return part.middleRows(6 * (block - first), 6).isZero(0.0); };
-  Stretch acts{first, first + part.rows() / 6};
-  while (acts.to > acts.from && isNothing(acts.to - 1)) --acts.to;
-  while (acts.from < acts.to && isNothing(acts.from)) ++acts.from;
-  reach = reachOf(acts, blocks);
-  columns =
-      std::make_shared<const CompactColumns>(part.middleRows(6 * (reach.from - first), 6 * (reach.to - reach.from)));
+void Signature::fill(const ChannelColumns& part, Eigen::Index first, Eigen::Index blocks) {
+  const Stretch acts = part.support();
+  reach = reachOf({acts.from + first, acts.to + first}, blocks);
+  reach = {std::max(reach.from, first), std::min(reach.to, first + part.blocks())};
+  columns = std::make_shared<const ChannelColumns>(part.middle({reach.from - first, reach.to - first}));
 }
 
 Signature signatureAt(double time, Form form, const LinearisationPoint& surroundings) {
@@ -126,12 +123,12 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
     if (!known.columns) fillPlain(known, signals, bare);
     out[i] = known;
     if (cause.addsToReadings() || map.isIdentity(0.0)) return;
-    const MatrixXd columns = known.columns->dense();
-    MatrixXd mapped(columns.rows(), columns.cols());
-    for (Eigen::Index j = 0; j < columns.cols(); ++j)
-      Eigen::Map<Wrenches>(mapped.col(j).data(), 6, columns.rows() / 6).noalias() =
-          map * Eigen::Map<const Wrenches>(columns.col(j).data(), 6, columns.rows() / 6);
-    out[i].columns = std::make_shared<const CompactColumns>(mapped);
+    ChannelColumns mapped(known.columns->blocks(), known.columns->cols());
+    for (Eigen::Index j = 0; j < mapped.cols(); ++j) {
+      const VectorXd column = known.columns->column(j).dense();
+      mapped.set(j, ChannelColumn(map * Eigen::Map<const Wrenches>(column.data(), 6, mapped.blocks())));
+    }
+    out[i].columns = std::make_shared<const ChannelColumns>(std::move(mapped));
   });
   return out;
 }

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string_view>
 
-#include "core/diagnosis/model/compact_columns.h"
+#include "core/diagnosis/model/channel_columns.h"
 #include "core/diagnosis/model/linearisation.h"
 #include "core/diagnosis/model/noise.h"
 
@@ -13,11 +13,11 @@ namespace heft::diagnosis {
 /// A form's columns, ready to be tried on any residual.
 struct Signature {
   Form form;
-  std::shared_ptr<const CompactColumns> columns;  ///< 6 (reach.to - reach.from) x form.scan.size()
+  std::shared_ptr<const ChannelColumns> columns;  ///< form.scan.size(); null: not worked out
   Stretch reach;  ///< The blocks that they are of: outside, whitened or not, they are zero
 
   /// `part`: of the blocks from `first` on, all that is not zero among them, of a recording of so many `blocks`.
-  void fill(const MatrixXd& part, Eigen::Index first, Eigen::Index blocks);
+  void fill(const ChannelColumns& part, Eigen::Index first, Eigen::Index blocks);
 };
 
 /// The form's signature with its place in time at `time` [s], or as near as it may lie.

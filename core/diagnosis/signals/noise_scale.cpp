@@ -9,7 +9,8 @@ NoiseScale::NoiseScale(Blocks times) : times_(std::move(times)) {
   constexpr std::array<double, 4> kShares{1.0 / 64.0, 1.0 / 16.0, 0.25, 1.0};
   for (std::size_t i = 0; i < kShares.size(); ++i) {
     const Blocks power = (1.0 + kShares[i] * times_.array()).matrix();
-    levels_[i] = {kShares[i], power.cwiseSqrt().cwiseInverse(), power.array().log().matrix()};
+    const Blocks by = power.cwiseSqrt().cwiseInverse();
+    levels_[i] = {kShares[i], by, by.transpose(), power.array().log().matrix()};
   }
 }
 

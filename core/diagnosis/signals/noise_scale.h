@@ -18,6 +18,7 @@ class NoiseScale {
   struct Level {
     double share = 0.0;
     Blocks by;    ///< 6 x N: what makes all blocks equally loud, 1 / sqrt(1 + share times)
+    Eigen::Matrix<double, Eigen::Dynamic, 6> byChannel;  ///< Its transpose
     Blocks logs;  ///< 6 x N: ln(1 + share times)
   };
 

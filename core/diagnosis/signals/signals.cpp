@@ -11,6 +11,7 @@
 #include "core/base/stop.h"
 #include "core/diagnosis/calibration.h"
 #include "core/diagnosis/signals/sensor_range.h"
+#include "core/math/four_rows.h"
 
 namespace heft::diagnosis {
 
@@ -158,6 +159,40 @@ inline MappedColumn<Rows> weighed(const ConstMappedColumns<Rows>& u, Eigen::Inde
   return w[0] * u.col(first) + w[1] * u.col(first + 1) + w[2] * u.col(first + 2) + w[3] * u.col(first + 3);
 }
 
+/// Sums of four numbers each that stand `apart`, the first of them at `u`.
+[[gnu::always_inline]] inline void addUp(const double* u, Eigen::Index apart, const EndWeights& w, Eigen::Index count,
+                                         double* out) {
+  Eigen::Index i = 0;
+  for (; i + 4 <= count; i += 4)
+    inMemory(out + i).rows = w[0] * inMemory(u + i).rows + w[1] * inMemory(u + i + apart).rows +
+                             w[2] * inMemory(u + i + 2 * apart).rows + w[3] * inMemory(u + i + 3 * apart).rows;
+  for (; i < count; ++i) out[i] = w[0] * u[i] + w[1] * u[i + apart] + w[2] * u[i + 2 * apart] + w[3] * u[i + 3 * apart];
+}
+
+void addUpAsCompiled(const double* u, Eigen::Index apart, const EndWeights& w, Eigen::Index count, double* out) {
+  addUp(u, apart, w, count, out);
+}
+HEFT_FOUR_ROWS_IN_ONE_REGISTER void addUpInOneRegister(const double* u, Eigen::Index apart, const EndWeights& w,
+                                                       Eigen::Index count, double* out) {
+  addUp(u, apart, w, count, out);
+}
+
+/// weighed() from the column `first` on: one for each column of `out`, which `u` must not share.
+template <int Rows, class Out>
+void weighedFrom(const ConstMappedColumns<Rows>& u, Eigen::Index first, const EndWeights& w, Out&& out) {
+  const Eigen::Index count = out.cols(), from = std::clamp<Eigen::Index>(-first, 0, count),
+                     to = std::clamp<Eigen::Index>(u.cols() - 3 - first, from, count);
+  for (Eigen::Index k = 0; k < from; ++k) out.col(k) = weighedAtEnds<Rows>(u, first + k, w);
+  if (u.outerStride() == u.rows() && out.outerStride() == u.rows()) {
+    if (from < to)
+      (fourRowsFitOneRegister() ? addUpInOneRegister : addUpAsCompiled)(u.col(first + from).data(), u.rows(), w,
+                                                                        (to - from) * u.rows(), out.col(from).data());
+  } else {
+    for (Eigen::Index k = from; k < to; ++k) out.col(k) = weighed<Rows>(u, first + k, w);
+  }
+  for (Eigen::Index k = to; k < count; ++k) out.col(k) = weighedAtEnds<Rows>(u, first + k, w);
+}
+
 }  // namespace
 
 Eigen::MatrixXd delayed(const Eigen::Ref<const Eigen::MatrixXd>& value, const VectorXd& delays, double rateHz) {
@@ -172,7 +207,7 @@ Eigen::MatrixXd delayed(const Eigen::Ref<const Eigen::MatrixXd>& value, const Ve
 Eigen::MatrixXd delayed(const Eigen::Ref<const Eigen::MatrixXd>& value, double delay, double rateHz) {
   const Between by = between(-delay * rateHz);
   return columnwise(value, [&]<int Rows>(const ConstMappedColumns<Rows>& in, MappedColumns<Rows> out) {
-    for (Eigen::Index k = 0; k < out.cols(); ++k) out.col(k) = weighed<Rows>(in, k + by.base - 1, by.weight);
+    weighedFrom<Rows>(in, by.base - 1, by.weight, out);
   });
 }
 
@@ -188,11 +223,12 @@ Eigen::MatrixXd meanSince(const Eigen::Ref<const Eigen::MatrixXd>& value, double
   return columnwise(value, [&]<int Rows>(const ConstMappedColumns<Rows>& u, MappedColumns<Rows> out) {
     // Over the step after each sample, from `back` on
     Eigen::Matrix<double, Rows, Eigen::Dynamic> steps(u.rows(), out.cols() - back);
-    for (Eigen::Index k = back; k < out.cols(); ++k) steps.col(k - back) = weighed<Rows>(u, k - 1, step);
+    weighedFrom<Rows>(u, back - 1, step, steps);
+    weighedFrom<Rows>(u, back - 1, beginning, out);
     MappedColumn<Rows> sum = MappedColumn<Rows>::Zero(u.rows());  // From `back` to k
     for (Eigen::Index k = back; k < 0; ++k) sum += steps.col(k - back);
     for (Eigen::Index k = 0; k < out.cols(); ++k) {
-      out.col(k) = (sum - weighed<Rows>(u, k + back - 1, beginning)) / samples;
+      out.col(k) = (sum - out.col(k)) / samples;
       sum += steps.col(k - back) - steps.col(k);
     }
   });
@@ -244,9 +280,10 @@ Eigen::MatrixXd onePole(const Eigen::Ref<const Eigen::MatrixXd>& value, double T
       value, [keep = keep, weight = weight]<int Rows>(const ConstMappedColumns<Rows>& u, MappedColumns<Rows> out) {
         MappedColumn<Rows> y = u.col(0);
         out.col(0) = y;
-        for (Eigen::Index k = 0; k + 1 < out.cols(); ++k) {
-          y = keep * y + weighed<Rows>(u, k - 1, weight);
-          out.col(k + 1) = y;
+        weighedFrom<Rows>(u, -1, weight, out.rightCols(out.cols() - 1));
+        for (Eigen::Index k = 1; k < out.cols(); ++k) {
+          y = keep * y + out.col(k);
+          out.col(k) = y;
         }
       });
 }
@@ -266,9 +303,12 @@ Eigen::MatrixXd throughSpring(const Eigen::Ref<const Eigen::MatrixXd>& value, do
   return columnwise(value, [&, keep = keep]<int Rows>(const ConstMappedColumns<Rows>& u, MappedColumns<Rows> out) {
     MappedColumn<Rows> x = u.col(0), y = 0.0 * x;
     out.col(0) = share.real() * x;
+    Eigen::Matrix<double, Rows, Eigen::Dynamic> across(u.rows(), out.cols() - 1);
+    weighedFrom<Rows>(u, -1, real, out.rightCols(out.cols() - 1));
+    weighedFrom<Rows>(u, -1, imaginary, across);
     for (Eigen::Index k = 0; k + 1 < out.cols(); ++k) {
-      const MappedColumn<Rows> next = keep.real() * x - keep.imag() * y + weighed<Rows>(u, k - 1, real);
-      y = keep.imag() * x + keep.real() * y + weighed<Rows>(u, k - 1, imaginary);
+      const MappedColumn<Rows> next = keep.real() * x - keep.imag() * y + out.col(k + 1);
+      y = keep.imag() * x + keep.real() * y + across.col(k);
       x = next;
       out.col(k + 1) = share.real() * x - share.imag() * y;
     }

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
+#include "core/math/column_products.h"
+
 namespace heft {
 namespace {
 
@@ -21,6 +25,26 @@ TEST(LinearAlgebra, ProductsTakeBlocksAndFixedSizes) {
   EXPECT_TRUE(near(product(A.leftCols(3), C), A.leftCols(3) * C));
   EXPECT_TRUE(near(transposedProduct(A, A), A.transpose() * A));
   EXPECT_TRUE(near(congruence(A.leftCols(3), C), A.leftCols(3) * C * A.leftCols(3).transpose()));
+}
+
+/// Of any number of rows and columns, in the middle of others, as Eigen has them.
+TEST(ColumnProducts, AreThoseOfEigen) {
+  for (const Eigen::Index rows : {1, 3, 4, 7, 255, 256, 258, 1300})
+    for (const Eigen::Index cols : {1, 2, 5, 11}) {
+      const MatrixXd A = scattered(rows, cols), B = scattered(rows + 2, cols + 1);
+      EXPECT_TRUE(near(columnProducts(A), A.transpose() * A)) << rows << " x " << cols;
+      EXPECT_TRUE(near(columnProducts(A, B.middleRows(1, rows)), A.transpose() * B.middleRows(1, rows)))
+          << rows << " x " << cols;
+      std::vector<const double*> columns;
+      std::vector<double> times;
+      for (Eigen::Index i = 0; i < cols; ++i) {
+        columns.push_back(A.col(i).data());
+        times.push_back(0.5 - static_cast<double>(i));
+      }
+      VectorXd sum(rows);
+      sumOfColumns(columns, times, sum);
+      EXPECT_TRUE(near(sum, A * Eigen::Map<const VectorXd>(times.data(), cols))) << rows << " x " << cols;
+    }
 }
 
 TEST(LinearAlgebra, LeastSquaresLeavesAResidualThatNoColumnSees) {
