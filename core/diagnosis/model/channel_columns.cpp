@@ -1,6 +1,7 @@
 #include "core/diagnosis/model/channel_columns.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -124,30 +125,49 @@ VectorXd ChannelColumns::times(const VectorXd& v) const {
   return out;
 }
 
+WhitenedColumns::WhitenedColumns(Eigen::Index columns, Eigen::Index blocks, Eigen::Index first, const Noise& noise,
+                                 const std::vector<Stretch>& stretches)
+    : columns_(columns), blocks_(blocks), first_(first) {
+  for (std::size_t c = 0; c < kChannels; ++c)
+    for (const Stretch& stretch : stretches) {
+      // The first ones only fill the memory.
+      const Eigen::Index from = std::max<Eigen::Index>(0, stretch.from - first) + noise.channels[c].order(),
+                         count = std::min(blocks_, stretch.to - first) - from;
+      if (count > 0) runs_[c].push_back({from, count, rows(c)});
+    }
+}
+
+Eigen::Index WhitenedColumns::rows(std::size_t channel) const {
+  const auto& runs = runs_[channel];
+  return runs.empty() ? 0 : runs.back().row + runs.back().count;
+}
+
+WhitenedColumns WhitenedColumns::ofWhite(const MatrixXd& white, const Noise& noise,
+                                         const std::vector<Stretch>& stretches) {
+  WhitenedColumns out(white.cols(), white.rows() / 6, 0, noise, stretches);
+  parallelFor(kChannels, [&](std::size_t c) {
+    out.which_[c].resize(static_cast<std::size_t>(out.columns_));
+    std::iota(out.which_[c].begin(), out.which_[c].end(), Eigen::Index{0});
+    out.parts_[c] = out.judged(white, c);
+  });
+  return out;
+}
+
 WhitenedColumns::WhitenedColumns(const ChannelColumns& columns, const Noise& noise,
                                  const std::vector<Stretch>& stretches, Eigen::Index first)
-    : columns_(columns.cols()), blocks_(columns.blocks()), first_(first) {
+    : WhitenedColumns(columns.cols(), columns.blocks(), first, noise, stretches) {
   struct Piece {
     std::size_t channel;
     Eigen::Index place;
   };
   std::vector<Piece> pieces;
   for (std::size_t c = 0; c < kChannels; ++c) {
-    Eigen::Index rows = 0;
-    for (const Stretch& stretch : stretches) {
-      // The first ones only fill the memory.
-      const Eigen::Index from = std::max<Eigen::Index>(0, stretch.from - first) + noise.channels[c].order(),
-                         count = std::min(blocks_, stretch.to - first) - from;
-      if (count <= 0) continue;
-      runs_[c].push_back({from, count, rows});
-      rows += count;
-    }
     for (Eigen::Index i = 0; i < columns_; ++i) {
       if (columns.column(i).isZero(c)) continue;
       pieces.push_back({c, std::ssize(which_[c])});
       which_[c].push_back(i);
     }
-    parts_[c].resize(rows, std::ssize(which_[c]));
+    parts_[c].resize(rows(c), std::ssize(which_[c]));
   }
   parallelFor(pieces.size(), [&](std::size_t i) {
     stopPoint();
@@ -160,6 +180,16 @@ WhitenedColumns::WhitenedColumns(const ChannelColumns& columns, const Noise& noi
     for (const Run& run : runs_[c])
       innovate(x + run.from, noise.channels[c], run.count, parts_[c].col(place).data() + run.row);
   });
+}
+
+/// What is judged of a channel of columns with 6N rows.
+MatrixXd WhitenedColumns::judged(const MatrixXd& C, std::size_t channel) const {
+  MatrixXd out(rows(channel), C.cols());
+  for (Eigen::Index i = 0; i < C.cols(); ++i)
+    for (const Run& run : runs_[channel])
+      out.col(i).segment(run.row, run.count) =
+          ConstChannels(C.col(i).data(), 6, blocks_).row(rowOf(channel)).segment(run.from, run.count).transpose();
+  return out;
 }
 
 MatrixXd WhitenedColumns::gram() const {
@@ -201,12 +231,7 @@ MatrixXd WhitenedColumns::transposeTimes(const MatrixXd& C) const {
   MatrixXd out = MatrixXd::Zero(columns_, C.cols());
   for (std::size_t c = 0; c < kChannels; ++c) {
     if (which_[c].empty()) continue;
-    MatrixXd part(parts_[c].rows(), C.cols());
-    for (Eigen::Index i = 0; i < C.cols(); ++i)
-      for (const Run& run : runs_[c])
-        part.col(i).segment(run.row, run.count) =
-            ConstChannels(C.col(i).data(), 6, blocks_).row(rowOf(c)).segment(run.from, run.count).transpose();
-    out(which_[c], Eigen::all) += columnProducts(parts_[c], part);
+    out(which_[c], Eigen::all) += columnProducts(parts_[c], judged(C, c));
   }
   return out;
 }

@@ -69,6 +69,8 @@ class WhitenedColumns {
   /// `columns`: of the blocks from `first` on.
   WhitenedColumns(const ChannelColumns& columns, const Noise& noise, const std::vector<Stretch>& stretches,
                   Eigen::Index first = 0);
+  /// `white`: columns of 6N rows that are such innovations already; what is not judged is left out.
+  static WhitenedColumns ofWhite(const MatrixXd& white, const Noise& noise, const std::vector<Stretch>& stretches);
 
   Eigen::Index cols() const { return columns_; }
   MatrixXd gram() const;                    ///< J^T J
@@ -83,6 +85,11 @@ class WhitenedColumns {
   struct Run {
     Eigen::Index from, count, row;
   };
+
+  WhitenedColumns(Eigen::Index columns, Eigen::Index blocks, Eigen::Index first, const Noise& noise,
+                  const std::vector<Stretch>& stretches);
+  Eigen::Index rows(std::size_t channel) const;
+  MatrixXd judged(const MatrixXd& C, std::size_t channel) const;
 
   Eigen::Index columns_ = 0, blocks_ = 0, first_ = 0;
   std::array<std::vector<Run>, 6> runs_;
