@@ -110,6 +110,38 @@ HEFT_FOUR_ROWS_IN_ONE_REGISTER void sumInOneRegister(std::span<const double* con
   sumAll(columns, times, rows, out);
 }
 
+/// Products of `x` with itself, `lag` and `Count` - 1 more rows later.
+template <int Count>
+[[gnu::always_inline]] inline void addLags(const double* x, Eigen::Index rows, Eigen::Index lag, double* sums) {
+  FourRows sum[Count];
+  for (int i = 0; i < Count; ++i) sum[i] = FourRows{};
+  Eigen::Index k = 0;
+  for (; k + 4 + lag + Count - 1 <= rows; k += 4) {
+    const FourRows now = inMemory(x + k).rows;
+    for (int i = 0; i < Count; ++i) sum[i] += now * inMemory(x + k + lag + i).rows;
+  }
+  for (int i = 0; i < Count; ++i) {
+    double rest = 0.0;
+    for (Eigen::Index last = k; last + lag + i < rows; ++last) rest += x[last] * x[last + lag + i];
+    sums[i] += sumOf(sum[i]) + rest;
+  }
+}
+
+[[gnu::always_inline]] inline void addAllLags(const double* x, Eigen::Index rows, Eigen::Index count, double* sums) {
+  constexpr int kTogether = 9;  // Of an autoregression of order 8
+  Eigen::Index lag = 0;
+  for (; lag + kTogether <= count; lag += kTogether) addLags<kTogether>(x, rows, lag, sums + lag);
+  for (; lag < count; ++lag) addLags<1>(x, rows, lag, sums + lag);
+}
+
+void addLagsAsCompiled(const double* x, Eigen::Index rows, Eigen::Index count, double* sums) {
+  addAllLags(x, rows, count, sums);
+}
+HEFT_FOUR_ROWS_IN_ONE_REGISTER void addLagsInOneRegister(const double* x, Eigen::Index rows, Eigen::Index count,
+                                                         double* sums) {
+  addAllLags(x, rows, count, sums);
+}
+
 }  // namespace
 
 MatrixXd columnProducts(const Eigen::Ref<const MatrixXd>& A, const Eigen::Ref<const MatrixXd>& B) {
@@ -127,6 +159,10 @@ MatrixXd columnProducts(const Eigen::Ref<const MatrixXd>& A) {
 
 void sumOfColumns(std::span<const double* const> columns, std::span<const double> times, VectorXd& out) {
   (fourRowsFitOneRegister() ? sumInOneRegister : sumAsCompiled)(columns, times, out.size(), out.data());
+}
+
+void addLaggedProducts(const Eigen::Ref<const VectorXd>& x, VectorXd& sums) {
+  (fourRowsFitOneRegister() ? addLagsInOneRegister : addLagsAsCompiled)(x.data(), x.size(), sums.size(), sums.data());
 }
 
 }  // namespace heft

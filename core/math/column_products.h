@@ -16,4 +16,7 @@ MatrixXd columnProducts(const Eigen::Ref<const MatrixXd>& A);
 /// The columns that begin at `columns`, each so many times, of out.size() rows.
 void sumOfColumns(std::span<const double* const> columns, std::span<const double> times, VectorXd& out);
 
+/// Adds x(k) x(k + lag), summed over k, to sums(lag).
+void addLaggedProducts(const Eigen::Ref<const VectorXd>& x, VectorXd& sums);
+
 }  // namespace heft

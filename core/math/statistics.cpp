@@ -1,8 +1,10 @@
 #include "core/math/statistics.h"
-#include "core/math/linear_algebra.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "core/math/column_products.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft {
 
@@ -37,9 +39,12 @@ void AutoCovariance::add(const Eigen::Ref<const Eigen::VectorXd>& noise,
 void AutoCovariance::addTaken(const Eigen::Ref<const Eigen::VectorXd>& taken,
                               const Eigen::Ref<const Eigen::VectorXd>& weights) {
   const Eigen::VectorXd weighted = taken.cwiseProduct(weights);
-  const Eigen::Index n = taken.size();
-  for (Eigen::Index lag = 0; lag < std::min<Eigen::Index>(sums_.size(), n); ++lag)
-    sums_(lag) += weighted.head(n - lag).dot(weighted.tail(n - lag));
+  addLaggedProducts(weighted, sums_);
+}
+
+void AutoCovariance::add(const Eigen::Ref<const Eigen::VectorXd>& noise) {
+  addLaggedProducts(noise, sums_);
+  count_ += static_cast<double>(noise.size());
 }
 
 ArModel AutoCovariance::fit(int beyond) const {

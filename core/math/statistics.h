@@ -31,6 +31,7 @@ class AutoCovariance {
   explicit AutoCovariance(int maxOrder) : sums_(Eigen::VectorXd::Zero(maxOrder + 1)) {}
   /// Adds a contiguous stretch of zero-mean noise; weight 0 leaves a sample out of every product it takes part in.
   void add(const Eigen::Ref<const Eigen::VectorXd>& noise, const Eigen::Ref<const Eigen::VectorXd>& weights);
+  void add(const Eigen::Ref<const Eigen::VectorXd>& noise);
   /// Adds to the products what a fit has taken from the noise that was added: no samples of its own.
   void addTaken(const Eigen::Ref<const Eigen::VectorXd>& taken, const Eigen::Ref<const Eigen::VectorXd>& weights);
   double count() const { return count_; }

@@ -1,6 +1,7 @@
 // A cable or hose that pulls like a spring towards where it is fixed, all the time or where it is taut.
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 #include "core/base/say.h"
 #include "core/diagnosis/calibration.h"
@@ -218,11 +219,7 @@ class CablePull final : public Cause {
       return;
     }
     if (form.choice[0] == kTwist) {
-      const Matrix3d& R0 = R_BS[R_BS.size() / 2];
-      for (Eigen::Index k = 0; k < w.cols(); ++k) {
-        const Matrix3d& R = R_BS[static_cast<std::size_t>(k)];
-        w.col(k).tail<3>() += R.transpose() * (v(0) * vectorFromRotation(R * R0.transpose()) + v.segment<3>(1));
-      }
+      forces(form, {&v, 1}, signals, kin, {&w, 1});
       return;
     }
     const bool allWays = form.choice[0] == kAllWays, alike = !allWays && form.choice[0] != kPerAxis;
@@ -238,6 +235,21 @@ class CablePull final : public Cause {
       held.col(k) =
           stiffness * Vector3d(signals.position.col(k) + R_BS[static_cast<std::size_t>(k)] * r - centre) - pull;
     addWorldForce(R_BS, held, r, w);
+  }
+  void forces(const Form& form, std::span<const VectorXd> each, const Signals& signals, const Kinematics& kin,
+              std::span<Wrenches> wrenches) const override {
+    if (form.choice[0] != kTwist) {
+      Cause::forces(form, each, signals, kin, wrenches);
+      return;
+    }
+    const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
+    const Matrix3d& R0 = R_BS[R_BS.size() / 2];
+    for (Eigen::Index k = 0; k < signals.size(); ++k) {
+      const Matrix3d& R = R_BS[static_cast<std::size_t>(k)];
+      const Vector3d twist = vectorFromRotation(R * R0.transpose());
+      for (std::size_t i = 0; i < each.size(); ++i)
+        wrenches[i].col(k).tail<3>() += R.transpose() * (each[i](0) * twist + each[i].segment<3>(1));
+    }
   }
   double doubt(const Form& form, const VectorXd& v, const Signals&) const override {
     const int kind = form.choice[0];

@@ -1,6 +1,7 @@
 #include "core/diagnosis/model/linearisation.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <memory>
 
@@ -42,7 +43,8 @@ class Moving {
     const bool changed = std::ranges::any_of(terms_, [](const Term* t) { return changesSums(*t); });
     // What no sensor changes is averaged first.
     const Eigen::Index together = changed ? 1 : signals_.samplesPerBlock, count = signals_.size() / together;
-    std::vector<Wrenches> wrenches(10, Wrenches(6, count));
+    std::array<Wrenches, 10> wrenches;
+    for (Wrenches& w : wrenches) w.resize(6, count);
     for (Eigen::Index n = 0; n < count; ++n) {
       if (n % 1024 == 0) stopPoint();
       Regressor sum = Regressor::Zero();
@@ -78,60 +80,65 @@ class Moving {
       values.back()(p) += steps.back();
     }
     if (which.empty()) return;
-    const std::vector<Wrenches> changes = changesBy(moved, std::move(values));
-    for (std::size_t i = 0; i < which.size(); ++i)
-      columns.set(at + which[i], ChannelColumn(averaged(signals_, changes[i]), 1.0 / steps[i]));
+    forEachChange(moved, std::move(values), [&](std::size_t i, const Wrenches& change) {
+      columns.set(at + which[i], ChannelColumn(averaged(signals_, change), 1.0 / steps[i]));
+    });
   }
 
  private:
-  /// To the load, or to the readings, by each of several sets of the term's parameters.
-  std::vector<Wrenches> addedBy(const Form& form, const std::vector<VectorXd>& values) const {
-    std::vector<Wrenches> out(values.size(), Wrenches::Zero(6, signals_.size()));
-    if (!form.cause->addsToReadings())
-      form.cause->forces(form, values, signals_, kinematics_, out);
-    else
-      for (std::size_t i = 0; i < values.size(); ++i) form.cause->readings(form, values[i], signals_, out[i]);
-    return out;
-  }
-
-  /// In what is read, with each of several sets of parameters of one term of the model in the place of its own.
-  std::vector<Wrenches> changesBy(const Term& moved, std::vector<VectorXd> values) const {
+  /// take(i, change) with the change in what is read by each of several sets of parameters of one term of the model in
+  /// the place of its own; on two threads where each costs much.
+  template <class Take>
+  void forEachChange(const Term& moved, std::vector<VectorXd> values, const Take& take) const {
     const Form& form = *moved.form;
     const Cause& cause = *form.cause;
     const auto at = std::ranges::find(terms_, &moved);
-    std::vector<Wrenches> out;
     if (cause.bendsGeometry()) {
       const auto place = static_cast<std::size_t>(at - terms_.begin());
-      out.resize(values.size());
       parallelFor(values.size(), [&](std::size_t i) {
         Term other = moved;
         other.v = values[i];
         Order terms = terms_;
         terms[place] = &other;
         const Kinematics otherwise = bent(signals_, terms, place, before_[place]);
-        out[i] = sensed(signals_, terms, loads(signals_, model_, terms, otherwise)) - told_;
+        take(i, sensed(signals_, terms, loads(signals_, model_, terms, otherwise)) - told_);
       });
-      return out;
+      return;
     }
     if (cause.changesSensor(form)) {
-      out.assign(values.size(), sensed(signals_, Order(terms_.begin(), at), load_));
+      std::vector<Wrenches> out(values.size(), sensed(signals_, Order(terms_.begin(), at), load_));
       cause.sensors(form, values, signals_, out);
-      for (Wrenches& w : out) w = sensed(signals_, Order(at + 1, terms_.end()), std::move(w)) - told_;
-      return out;
+      for (std::size_t i = 0; i < out.size(); ++i)
+        take(i, sensed(signals_, Order(at + 1, terms_.end()), std::move(out[i])) - told_);
+      return;
+    }
+    if (cause.addsToReadings()) {
+      const Wrenches added = readBy(form, moved.v);
+      for (std::size_t i = 0; i < values.size(); ++i) take(i, readBy(form, values[i]) - added);
+      return;
     }
     values.push_back(moved.v);
-    out = addedBy(form, values);
+    std::vector<Wrenches> out(values.size());
+    for (Wrenches& w : out) w.setZero(6, signals_.size());
+    cause.forces(form, values, signals_, kinematics_, out);
     const Wrenches added = std::move(out.back());
     out.pop_back();
-    for (Wrenches& w : out) {
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      Wrenches& w = out[i];
       w -= added;
-      if (cause.addsToReadings()) continue;
       // What a cause adds is all that its parameters change, as long as the sensor passes sums on as sums.
       if (linear_)
         throughSensor(signals_, terms_, w, true);
       else if (!w.isZero(0.0))
         w = sensed(signals_, terms_, load_ + w) - told_;
+      take(i, w);
     }
+  }
+
+  /// What a cause adds to the readings.
+  Wrenches readBy(const Form& form, const VectorXd& v) const {
+    Wrenches out = Wrenches::Zero(6, signals_.size());
+    form.cause->readings(form, v, signals_, out);
     return out;
   }
 
@@ -140,7 +147,7 @@ class Moving {
     for (Eigen::Index p = 0; p < term.v.size(); p += 6, at += 6) {
       VectorXd one = VectorXd::Zero(term.v.size());
       one.segment<6>(p).setOnes();
-      const Wrenches wave = averaged(signals_, addedBy(*term.form, {one}).front());
+      const Wrenches wave = averaged(signals_, readBy(*term.form, one));
       for (Eigen::Index c = 0; c < 6; ++c)
         columns.set(at + c, ChannelColumn(static_cast<std::size_t>(c), wave.row(c).transpose()));
     }
@@ -236,12 +243,17 @@ void CachedJacobian::update(const Model& model, double far) {
     else if (!bending && shift.amplitude > kStep && term.form->scan.size() < term.form->parameters.size())
       again[i] = Which::shape;
   }
-  if (everything) {
-    fill(model);
-    return;
-  }
-  if (std::ranges::count(again, Which::none) == std::ssize(again)) return;
+  if (!everything && std::ranges::count(again, Which::none) == std::ssize(again)) return;
   Moving moving(*signals_, model);
+  if (everything) {
+    // What adds to the readings does so whatever they are of.
+    for (std::size_t i = 0; i < again.size(); ++i)
+      if (!model.terms[i].form->cause->addsToReadings()) again[i] = Which::all;
+    if (std::ranges::any_of(model.terms,
+                            [](const Term& t) { return t.form->cause->bendsGeometry() || changesSums(t); }))
+      moving.fillPayload(columns_);
+    whole_ = model;
+  }
   Eigen::Index at = kLinear;
   own_.terms.resize(std::max(own_.terms.size(), model.terms.size()));
   for (std::size_t i = 0; i < again.size(); ++i) {

@@ -17,76 +17,83 @@ constexpr Eigen::Index kShortestRun = 12;
 /// length it would cost nothing, and the fit would follow what is fast and small instead.
 constexpr double kFloor = kHardlyAny;
 
+struct EvenFit {
+  Noise noise;
+  ByChannel innovations;  ///< Zero where nothing is judged
+};
+
 /// All blocks equally loud.
-Noise fittedEven(const Wrenches& residual, const std::vector<Stretch>& stretches, int maxOrder) {
-  Noise out;
-  Vector6d counts;
-  for (int c = 0; c < 6; ++c) {
+EvenFit fittedEven(const ByChannel& residual, const std::vector<Stretch>& stretches, int maxOrder) {
+  EvenFit out{{}, ByChannel::Zero(residual.rows(), 6)};
+  Noise& noise = out.noise;
+  for (Eigen::Index c = 0; c < 6; ++c) {
     stopPoint();
     AutoCovariance sums(maxOrder);
     double power = 0.0, count = 0.0;
     for (const auto& s : stretches) {
-      const VectorXd part = residual.row(c).segment(s.from, s.to - s.from).transpose();
-      sums.add(part, VectorXd::Ones(part.size()));
+      const auto part = residual.col(c).segment(s.from, s.to - s.from);
+      sums.add(part);
       power += part.squaredNorm();
       count += static_cast<double>(part.size());
     }
     // A sample on its own adds to the power and to nothing else.
-    if (maxOrder > 0) sums.add(VectorXd::Constant(1, std::sqrt(kFloor * power)), VectorXd::Ones(1));
+    if (maxOrder > 0) sums.add(VectorXd::Constant(1, std::sqrt(kFloor * power)));
     ArModel model = sums.fit();
     model.sigma = std::max(model.sigma, 1e-9);
-    out.samples += count;
-    out.channels[static_cast<std::size_t>(c)] = model;
-    counts(c) = count;
-  }
-  const VectorXd innovations = whitened(flat(residual), out, stretches);
-  const Vector6d squares = Eigen::Map<const Wrenches>(innovations.data(), 6, residual.cols()).rowwise().squaredNorm();
-  for (int c = 0; c < 6; ++c) {
-    const ArModel& model = out.channels[static_cast<std::size_t>(c)];
-    double judged = 0.0;
-    for (const auto& s : stretches) judged += std::max(0.0, static_cast<double>(s.to - s.from - model.order()));
-    const double achieved = squares(c) / std::max(1.0, judged);
-    out.evidence -=
-        counts(c) * (2.0 * std::log(model.sigma) + achieved - 1.0) + model.order() * std::log(std::max(2.0, counts(c)));
+    double squares = 0.0, judged = 0.0;
+    for (const auto& s : stretches) {
+      const Eigen::Index from = s.from + model.order(), length = s.to - from;
+      if (length <= 0) continue;
+      auto e = out.innovations.col(c).segment(from, length);
+      innovate(residual.col(c).data() + from, model, length, e.data());
+      squares += e.squaredNorm();
+      judged += static_cast<double>(length);
+    }
+    noise.samples += count;
+    noise.evidence -= count * (2.0 * std::log(model.sigma) + squares / std::max(1.0, judged) - 1.0) +
+                      model.order() * std::log(std::max(2.0, count));
+    noise.channels[static_cast<std::size_t>(c)] = std::move(model);
   }
   return out;
 }
 
 /// Twice the log-likelihood that a loudness gains innovations without memory, `e`.
-double gainOfNoiseScale(const Eigen::Map<const Wrenches>& e, const std::vector<Stretch>& stretches,
-                        const NoiseScale::Level& level) {
-  Eigen::Array<double, 6, 1> was = Eigen::Array<double, 6, 1>::Constant(1e-300), is = was,
-                             logs = Eigen::Array<double, 6, 1>::Zero();
-  double count = 0.0;
-  for (const auto& s : stretches) {
-    for (Eigen::Index n = s.from; n < s.to; ++n) {
-      was += e.col(n).array().square();
-      is += (e.col(n).array() * level.by.col(n).array()).square();
-      logs += level.logs.col(n).array();
+double gainOfNoiseScale(const ByChannel& e, const std::vector<Stretch>& stretches, const NoiseScale::Level& level) {
+  double gain = 0.0;
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    double was = 1e-300, is = 1e-300, logs = 0.0, count = 0.0;
+    for (const auto& s : stretches) {
+      const Eigen::Index length = s.to - s.from;
+      const auto part = e.col(c).segment(s.from, length);
+      was += part.squaredNorm();
+      is += part.cwiseProduct(level.byChannel.col(c).segment(s.from, length)).squaredNorm();
+      logs += level.logs.col(c).segment(s.from, length).sum();
+      count += static_cast<double>(length);
     }
-    count += static_cast<double>(s.to - s.from);
+    gain += count * std::log(was / is) - logs;
   }
-  return (count * (was / is).log() - logs).sum();
+  return gain;
 }
 
 Noise fitted(const Wrenches& residual, const std::vector<Stretch>& stretches, int maxOrder,
              const std::shared_ptr<const NoiseScale>& noiseScale) {
-  Noise out = fittedEven(residual, stretches, maxOrder);
+  const ByChannel channels = residual.transpose();
+  EvenFit even = fittedEven(channels, stretches, maxOrder);
+  Noise out = std::move(even.noise);
   if (!noiseScale) return out;
-  const VectorXd innovations = whitened(flat(residual), out, stretches);
   out.noiseScale = noiseScale;
   const double price = std::log(std::max(2.0, out.samples));
   double most = price;
   const NoiseScale::Level* level = nullptr;
   for (const NoiseScale::Level& one : noiseScale->levels()) {
-    const double gain = gainOfNoiseScale({innovations.data(), 6, residual.cols()}, stretches, one);
+    const double gain = gainOfNoiseScale(even.innovations, stretches, one);
     if (gain <= most) continue;
     most = gain;
     level = &one;
   }
   if (level == nullptr) return out;
-  Noise loud = fittedEven(residual.cwiseProduct(level->by), stretches, maxOrder);
-  for (const auto& s : stretches) loud.evidence -= level->logs.middleCols(s.from, s.to - s.from).sum();
+  Noise loud = fittedEven(channels.cwiseProduct(level->byChannel), stretches, maxOrder).noise;
+  for (const auto& s : stretches) loud.evidence -= level->logs.middleRows(s.from, s.to - s.from).sum();
   loud.evidence -= price;
   if (loud.evidence <= out.evidence) return out;
   loud.noiseScale = noiseScale;

@@ -10,7 +10,7 @@ NoiseScale::NoiseScale(Blocks times) : times_(std::move(times)) {
   for (std::size_t i = 0; i < kShares.size(); ++i) {
     const Blocks power = (1.0 + kShares[i] * times_.array()).matrix();
     const Blocks by = power.cwiseSqrt().cwiseInverse();
-    levels_[i] = {kShares[i], by, by.transpose(), power.array().log().matrix()};
+    levels_[i] = {kShares[i], by, by.transpose(), power.array().log().matrix().transpose()};
   }
 }
 

@@ -11,15 +11,16 @@ namespace heft::diagnosis {
 class NoiseScale {
  public:
   using Blocks = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+  using ByChannel = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
   /// `times`: 6 x N, zero where noise is as usual.
   explicit NoiseScale(Blocks times);
 
   struct Level {
     double share = 0.0;
-    Blocks by;    ///< 6 x N: what makes all blocks equally loud, 1 / sqrt(1 + share times)
-    Eigen::Matrix<double, Eigen::Dynamic, 6> byChannel;  ///< Its transpose
-    Blocks logs;  ///< 6 x N: ln(1 + share times)
+    Blocks by;            ///< 6 x N: what makes all blocks equally loud, 1 / sqrt(1 + share times)
+    ByChannel byChannel;  ///< Its transpose
+    ByChannel logs;       ///< N x 6: ln(1 + share times)
   };
 
   const Blocks& times() const { return times_; }

@@ -43,6 +43,11 @@ TEST(ColumnProducts, AreThoseOfEigen) {
       }
       VectorXd sum(rows);
       sumOfColumns(columns, times, sum);
+      VectorXd lagged = VectorXd::Ones(cols), expected = lagged;
+      addLaggedProducts(A.col(0), lagged);
+      for (Eigen::Index lag = 0; lag < cols && lag < rows; ++lag)
+        expected(lag) += A.col(0).head(rows - lag).dot(A.col(0).tail(rows - lag));
+      EXPECT_TRUE(near(lagged, expected)) << rows << ", " << cols << " lags";
       EXPECT_TRUE(near(sum, A * Eigen::Map<const VectorXd>(times.data(), cols))) << rows << " x " << cols;
     }
 }
