@@ -45,8 +45,8 @@ TEST(MinMaxPyramid, AgreesWithPlainSearchOnEveryKindOfStretch) {
       if (std::isnan(lowest)) {
         EXPECT_TRUE(std::isnan(found.lowest)) << n << " [" << from << ", " << to << ")";
       } else {
-        EXPECT_EQ(found.lowest, lowest) << n << " [" << from << ", " << to << ")";
-        EXPECT_EQ(found.highest, highest) << n << " [" << from << ", " << to << ")";
+        EXPECT_EQ(found.lowest, static_cast<float>(lowest)) << n << " [" << from << ", " << to << ")";
+        EXPECT_EQ(found.highest, static_cast<float>(highest)) << n << " [" << from << ", " << to << ")";
       }
     }
   }

@@ -82,7 +82,7 @@ void ChannelLanes::rebuild() {
     auto lane = std::find_if(lanes_.begin(), lanes_.end(),
                              [&](const Lane& each) { return !channel.unit.isEmpty() && each.unit == channel.unit; });
     if (lane == lanes_.end()) lane = lanes_.insert(lanes_.end(), Lane{channel.unit, {}});
-    lane->curves.push_back({channel, MinMaxPyramid(std::move(values))});
+    lane->curves.push_back({channel, MinMaxPyramid(values)});
   }
   setMinimumHeight(lanes() * kLaneHeight * 2 / 3);
   setMaximumHeight(std::max(1, lanes()) * kLaneHeight * 2);

@@ -7,22 +7,22 @@
 namespace heft {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+}  // namespace
 
 /// A comparison with NaN is false: written like this an absent value changes nothing and an absent extreme is replaced.
-void include(MinMax& extremes, const MinMax& other) {
+void MinMaxPyramid::include(Extremes& extremes, const Extremes& other) {
   if (!(extremes.lowest <= other.lowest) && other.lowest == other.lowest) extremes.lowest = other.lowest;
   if (!(extremes.highest >= other.highest) && other.highest == other.highest) extremes.highest = other.highest;
 }
 
-}  // namespace
-
-MinMaxPyramid::MinMaxPyramid(std::vector<double> values) : values_(std::move(values)) {
+MinMaxPyramid::MinMaxPyramid(const std::vector<double>& values) : values_(values.begin(), values.end()) {
   if (values_.size() < 2 * kBase) return;
-  std::vector<MinMax> level((values_.size() + kBase - 1) / kBase, MinMax{kNan, kNan});
+  std::vector<Extremes> level((values_.size() + kBase - 1) / kBase, Extremes{kNan, kNan});
   for (std::size_t i = 0; i < values_.size(); ++i) include(level[i / kBase], {values_[i], values_[i]});
   while (level.size() >= 2 * kFactor) {
-    std::vector<MinMax> next((level.size() + kFactor - 1) / kFactor, MinMax{kNan, kNan});
+    std::vector<Extremes> next((level.size() + kFactor - 1) / kFactor, Extremes{kNan, kNan});
     for (std::size_t i = 0; i < level.size(); ++i) include(next[i / kFactor], level[i]);
     levels_.push_back(std::move(level));
     level = std::move(next);
@@ -31,7 +31,7 @@ MinMaxPyramid::MinMaxPyramid(std::vector<double> values) : values_(std::move(val
 }
 
 MinMax MinMaxPyramid::range(std::size_t from, std::size_t to) const {
-  MinMax extremes{kNan, kNan};
+  Extremes extremes{kNan, kNan};
   to = std::min(to, values_.size());
   // Climb: single samples up to the next block border, then whole blocks, each time as large as fits.
   while (from < to) {
@@ -49,7 +49,7 @@ MinMax MinMaxPyramid::range(std::size_t from, std::size_t to) const {
     }
     from += span;
   }
-  return extremes;
+  return {extremes.lowest, extremes.highest};
 }
 
 }  // namespace heft

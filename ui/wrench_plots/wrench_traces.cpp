@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 namespace heft {
 namespace {
@@ -65,9 +66,9 @@ WrenchTraces::WrenchTraces(TraceData data)
       limit_(data.differenceLimit),
       noise_(data.noise) {
   for (std::size_t c = 0; c < 6; ++c) {
-    curves_[0][c] = MinMaxPyramid(std::move(data.measured[c]));
-    curves_[1][c] = MinMaxPyramid(std::move(data.simulated[c]));
-    curves_[2][c] = MinMaxPyramid(std::move(data.difference[c]));
+    curves_[0][c] = MinMaxPyramid(std::exchange(data.measured[c], {}));
+    curves_[1][c] = MinMaxPyramid(std::exchange(data.simulated[c], {}));
+    curves_[2][c] = MinMaxPyramid(std::exchange(data.difference[c], {}));
   }
 }
 

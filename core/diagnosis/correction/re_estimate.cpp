@@ -136,7 +136,7 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
   const auto estimateOne = [&](std::size_t i) {
     if (i == 0) {
       was = estimate(recording, robot, options, progress);
-    } else if (!report.causes.empty()) {
+    } else {
       const auto clean = freed(std::move(cleaned), robot, hypothesis);
       EstimateOptions same = options;
       same.silent = silentChannels(recording.wrench);
@@ -148,8 +148,10 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
   };
   constexpr Eigen::Index kMany =
       Eigen::Index{200} * 1000;  // Rows, of which both at once would take several hundred megabytes
-  if (report.causes.empty()) cleaned = {};
-  if (recording.rows() < kMany) {
+  if (report.causes.empty()) {
+    cleaned = {};
+    estimateOne(0);
+  } else if (recording.rows() < kMany) {
     parallelFor(2, estimateOne);
   } else {
     estimateOne(1);

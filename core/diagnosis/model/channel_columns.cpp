@@ -97,6 +97,7 @@ Stretch ChannelColumns::support() const {
 }
 
 ChannelColumns ChannelColumns::middle(Stretch blocks) const {
+  if (blocks.from == 0 && blocks.to == blocks_) return *this;
   ChannelColumns out(blocks.to - blocks.from, cols());
   for (Eigen::Index i = 0; i < cols(); ++i) out.set(i, column(i).middle(blocks));
   return out;

@@ -20,6 +20,12 @@ bool bendsOrChanges(const Term& term) {
   return term.form->cause->bendsGeometry() || term.form->cause->changesSensor(*term.form);
 }
 
+Wrenches addedToReadings(const Form& form, const VectorXd& v, const Signals& signals) {
+  Wrenches out = Wrenches::Zero(6, signals.size());
+  form.cause->readings(form, v, signals, out);
+  return out;
+}
+
 /// What changes with each parameter of one term, where everything else stays as it is.
 class Moving {
  public:
@@ -113,8 +119,8 @@ class Moving {
       return;
     }
     if (cause.addsToReadings()) {
-      const Wrenches added = readBy(form, moved.v);
-      for (std::size_t i = 0; i < values.size(); ++i) take(i, readBy(form, values[i]) - added);
+      const Wrenches added = addedToReadings(form, moved.v, signals_);
+      for (std::size_t i = 0; i < values.size(); ++i) take(i, addedToReadings(form, values[i], signals_) - added);
       return;
     }
     values.push_back(moved.v);
@@ -135,19 +141,12 @@ class Moving {
     }
   }
 
-  /// What a cause adds to the readings.
-  Wrenches readBy(const Form& form, const VectorXd& v) const {
-    Wrenches out = Wrenches::Zero(6, signals_.size());
-    form.cause->readings(form, v, signals_, out);
-    return out;
-  }
-
   /// Each wave once for all channels.
   void fillWalk(const Term& term, ChannelColumns& columns, Eigen::Index at) const {
     for (Eigen::Index p = 0; p < term.v.size(); p += 6, at += 6) {
       VectorXd one = VectorXd::Zero(term.v.size());
       one.segment<6>(p).setOnes();
-      const Wrenches wave = averaged(signals_, readBy(*term.form, one));
+      const Wrenches wave = averaged(signals_, addedToReadings(*term.form, one, signals_));
       for (Eigen::Index c = 0; c < 6; ++c)
         columns.set(at + c, ChannelColumn(static_cast<std::size_t>(c), wave.row(c).transpose()));
     }
@@ -282,23 +281,30 @@ ChannelColumns LinearisationPoint::signatures(const Form& form) const {
     moved[i](form.scan[i]) += steps[i];
   }
   const Cause& cause = *form.cause;
-  std::vector<Wrenches> changes(count);
-  if (!cause.bendsGeometry() && !cause.changesSensor(form)) {
-    // Forces and readings add to whatever is there: only they need to pass the sensor.
-    for (Wrenches& w : changes) w = Wrenches::Zero(6, signals_.size());
-    cause.forces(form, moved, signals_, kinematics_, changes);
-    for (std::size_t i = 0; i < count; ++i) {
-      throughSensor(signals_, terms_, changes[i], true);
-      cause.readings(form, moved[i], signals_, changes[i]);
-    }
-  } else if (cause.bendsGeometry()) {
+  ChannelColumns out(signals_.blocks(), static_cast<Eigen::Index>(count));
+  const auto take = [&](std::size_t i, const Wrenches& change) {
+    out.set(static_cast<Eigen::Index>(i), ChannelColumn(averaged(signals_, change), 1.0 / steps[i]));
+  };
+  if (cause.addsToReadings()) {
+    for (std::size_t i = 0; i < count; ++i) take(i, addedToReadings(form, moved[i], signals_));
+    return out;
+  }
+  if (cause.bendsGeometry()) {
     Model with = model_;
     with.terms.push_back({std::make_shared<const Form>(form), form.start, {}});
     const Order terms = inOrder(with.terms);
     for (std::size_t i = 0; i < count; ++i) {
       with.terms.back().v = moved[i];
-      changes[i] = sensed(signals_, terms, loads(signals_, with, terms, bent(signals_, terms))) - sensed_;
+      take(i, sensed(signals_, terms, loads(signals_, with, terms, bent(signals_, terms))) - sensed_);
     }
+    return out;
+  }
+  std::vector<Wrenches> changes(count);
+  if (!cause.changesSensor(form)) {
+    // Forces add to whatever is there: only they need to pass the sensor.
+    for (Wrenches& w : changes) w.setZero(6, signals_.size());
+    cause.forces(form, moved, signals_, kinematics_, changes);
+    for (Wrenches& w : changes) throughSensor(signals_, terms_, w, true);
   } else {
     const auto later =
         std::ranges::find_if(terms_, [&](const Term* t) { return t->form->cause->order() > cause.order(); });
@@ -306,9 +312,7 @@ ChannelColumns LinearisationPoint::signatures(const Form& form) const {
     cause.sensors(form, moved, signals_, changes);
     for (Wrenches& w : changes) w = sensed(signals_, Order(later, terms_.end()), std::move(w)) - sensed_;
   }
-  ChannelColumns out(signals_.blocks(), static_cast<Eigen::Index>(count));
-  for (std::size_t i = 0; i < count; ++i)
-    out.set(static_cast<Eigen::Index>(i), ChannelColumn(averaged(signals_, changes[i]), 1.0 / steps[i]));
+  for (std::size_t i = 0; i < count; ++i) take(i, changes[i]);
   return out;
 }
 
