@@ -50,11 +50,7 @@ class Weighting {
  public:
   /// `columns`: of the fit's model. All others must outlive this.
   Weighting(const Noise& noise, const std::vector<Stretch>& stretches, const Fit& fit, ChannelColumns columns)
-      : noise_(noise),
-        stretches_(stretches),
-        fit_(fit),
-        columns_(std::move(columns)),
-        J_(columns_, noise, stretches) {
+      : noise_(noise), stretches_(stretches), fit_(fit), columns_(std::move(columns)), J_(columns_, noise, stretches) {
     r_ = whitened(flat(fit.residual), noise, stretches);
     inverse_ = Normal(J_, weakPrior(fit.model)).inverse();
     Jr_ = J_.transposeTimes(r_);
