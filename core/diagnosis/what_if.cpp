@@ -173,7 +173,7 @@ Result<WhatIf> WhatIf::make(const Recording& recording, std::shared_ptr<const Ro
     return Error{heft::say("What a fault would do is shown along a motion, not in standing poses.")};
   MotionOptions options;
   options.cutoffHz = kDefaultCutoffHz;
-  const auto motion = motionOf(recording, robot.get(), options);
+  auto motion = motionOf(recording, robot.get(), options);
   if (!motion) return motion.error();
   auto parts = std::make_unique<Parts>();
   parts->robot = std::move(robot);

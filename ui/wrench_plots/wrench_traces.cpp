@@ -89,7 +89,7 @@ WrenchTraces::WrenchTraces(const Recording& recording, const EstimateReport* rep
     curves_[2][c] = MinMaxPyramid(toVector(difference));
   }
   for (int lane = 0; lane < 2; ++lane) {
-    noise_[lane] = 2.0 * report->noiseStd.segment<3>(3 * lane).maxCoeff();
+    noise_[lane] = 2.0 * report->noiseStd.segment<3>(Eigen::Index{3} * lane).maxCoeff();
     if (!std::isfinite(noise_[lane])) noise_[lane] = 0.0;
     std::vector<double> sizes = freeDifferences(series, report->segments, 3 * lane);
     if (sizes.empty()) sizes = freeDifferences(series, {}, 3 * lane);

@@ -151,19 +151,20 @@ MatrixXd even(const MatrixXd& columns, const Noise& noise) {
 namespace {
 
 /// How much each of a value and of those before it counts.
-using Weights = std::array<double, kMaxOrder + 1>;
+using Taps = std::array<double, kMaxOrder + 1>;
 
 /// Innovations of `Count` times four values.
-template <int Count>
-[[gnu::always_inline]] inline void innovateFour(const double* x, const Weights& weights, int order, double* out) {
+template <Eigen::Index Count>
+[[gnu::always_inline]] inline void innovateFour(const double* x, const Taps& weights, int order, double* out) {
   FourRows sum[Count];
-  for (int i = 0; i < Count; ++i) sum[i] = weights[0] * inMemory(x + 4 * i).rows;
+  for (Eigen::Index i = 0; i < Count; ++i) sum[i] = weights[0] * inMemory(x + 4 * i).rows;
   for (int back = 1; back <= order; ++back)
-    for (int i = 0; i < Count; ++i) sum[i] -= weights[static_cast<std::size_t>(back)] * inMemory(x + 4 * i - back).rows;
-  for (int i = 0; i < Count; ++i) inMemory(out + 4 * i).rows = sum[i];
+    for (Eigen::Index i = 0; i < Count; ++i)
+      sum[i] -= weights[static_cast<std::size_t>(back)] * inMemory(x + 4 * i - back).rows;
+  for (Eigen::Index i = 0; i < Count; ++i) inMemory(out + 4 * i).rows = sum[i];
 }
 
-[[gnu::always_inline]] inline void innovateAll(const double* x, const Weights& weights, int order, Eigen::Index count,
+[[gnu::always_inline]] inline void innovateAll(const double* x, const Taps& weights, int order, Eigen::Index count,
                                                double* out) {
   Eigen::Index k = 0;
   for (; k + 16 <= count; k += 16) innovateFour<4>(x + k, weights, order, out + k);
@@ -174,10 +175,10 @@ template <int Count>
   }
 }
 
-void innovateAsCompiled(const double* x, const Weights& weights, int order, Eigen::Index count, double* out) {
+void innovateAsCompiled(const double* x, const Taps& weights, int order, Eigen::Index count, double* out) {
   innovateAll(x, weights, order, count, out);
 }
-HEFT_FOUR_ROWS_IN_ONE_REGISTER void innovateInOneRegister(const double* x, const Weights& weights, int order,
+HEFT_FOUR_ROWS_IN_ONE_REGISTER void innovateInOneRegister(const double* x, const Taps& weights, int order,
                                                           Eigen::Index count, double* out) {
   innovateAll(x, weights, order, count, out);
 }
@@ -185,8 +186,8 @@ HEFT_FOUR_ROWS_IN_ONE_REGISTER void innovateInOneRegister(const double* x, const
 }  // namespace
 
 void innovate(const double* x, const ArModel& noise, Eigen::Index count, double* out) {
-  Weights weights{1.0 / noise.sigma};
-  for (int i = 0; i < noise.order(); ++i) weights[static_cast<std::size_t>(i + 1)] = noise.coefficients(i) * weights[0];
+  Taps weights{1.0 / noise.sigma};
+  for (int i = 0; i < noise.order(); ++i) weights[static_cast<std::size_t>(i) + 1] = noise.coefficients(i) * weights[0];
   (fourRowsFitOneRegister() ? innovateInOneRegister : innovateAsCompiled)(x, weights, noise.order(), count, out);
 }
 
