@@ -79,9 +79,6 @@ template <int Count>
   }
 }
 
-void addAsCompiled(const Chunk& chunk, Triangle& R) { addToTriangle(chunk, R); }
-HEFT_FOUR_ROWS_IN_ONE_REGISTER void addInOneRegister(const Chunk& chunk, Triangle& R) { addToTriangle(chunk, R); }
-
 }  // namespace
 
 void TriangleBuilder::compress() {
@@ -89,7 +86,7 @@ void TriangleBuilder::compress() {
   static_assert(kChunk % 8 == 0);
   chunk_.middleRows(filled_, rows - filled_).setZero();
   const Chunk chunk{chunk_.data(), kChunk, rows};
-  (fourRowsFitOneRegister() ? addInOneRegister : addAsCompiled)(chunk, R_);
+  withFourRows([&]() __attribute__((always_inline)) { addToTriangle(chunk, R_); });
   filled_ = 0;
 }
 

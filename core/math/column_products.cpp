@@ -63,18 +63,6 @@ template <int Q>
   }
 }
 
-void addAsCompiled(const Columns& A, const Columns& B, Eigen::Index rows, bool symmetric, MatrixXd& out) {
-  addAll(A, B, rows, symmetric, out);
-}
-HEFT_FOUR_ROWS_IN_ONE_REGISTER void addInOneRegister(const Columns& A, const Columns& B, Eigen::Index rows,
-                                                     bool symmetric, MatrixXd& out) {
-  addAll(A, B, rows, symmetric, out);
-}
-
-void add(const Columns& A, const Columns& B, Eigen::Index rows, bool symmetric, MatrixXd& out) {
-  (fourRowsFitOneRegister() ? addInOneRegister : addAsCompiled)(A, B, rows, symmetric, out);
-}
-
 /// Adds `Count` columns to the rows [from, to) of `out`.
 template <int Count>
 [[gnu::always_inline]] inline void addColumns(const double* const* columns, const double* times, Eigen::Index from,
@@ -101,15 +89,6 @@ template <int Count>
   }
 }
 
-void sumAsCompiled(std::span<const double* const> columns, std::span<const double> times, Eigen::Index rows,
-                   double* out) {
-  sumAll(columns, times, rows, out);
-}
-HEFT_FOUR_ROWS_IN_ONE_REGISTER void sumInOneRegister(std::span<const double* const> columns,
-                                                     std::span<const double> times, Eigen::Index rows, double* out) {
-  sumAll(columns, times, rows, out);
-}
-
 /// Products of `x` with itself, `lag` and `Count` - 1 more rows later.
 template <int Count>
 [[gnu::always_inline]] inline void addLags(const double* x, Eigen::Index rows, Eigen::Index lag, double* sums) {
@@ -134,35 +113,27 @@ template <int Count>
   for (; lag < count; ++lag) addLags<1>(x, rows, lag, sums + lag);
 }
 
-void addLagsAsCompiled(const double* x, Eigen::Index rows, Eigen::Index count, double* sums) {
-  addAllLags(x, rows, count, sums);
-}
-HEFT_FOUR_ROWS_IN_ONE_REGISTER void addLagsInOneRegister(const double* x, Eigen::Index rows, Eigen::Index count,
-                                                         double* sums) {
-  addAllLags(x, rows, count, sums);
-}
-
 }  // namespace
 
 MatrixXd columnProducts(const Eigen::Ref<const MatrixXd>& A, const Eigen::Ref<const MatrixXd>& B) {
   MatrixXd out = MatrixXd::Zero(A.cols(), B.cols());
-  add(columnsOf(A), columnsOf(B), A.rows(), false, out);
+  withFourRows([&]() __attribute__((always_inline)) { addAll(columnsOf(A), columnsOf(B), A.rows(), false, out); });
   return out;
 }
 
 MatrixXd columnProducts(const Eigen::Ref<const MatrixXd>& A) {
   MatrixXd out = MatrixXd::Zero(A.cols(), A.cols());
-  add(columnsOf(A), columnsOf(A), A.rows(), true, out);
+  withFourRows([&]() __attribute__((always_inline)) { addAll(columnsOf(A), columnsOf(A), A.rows(), true, out); });
   out.triangularView<Eigen::StrictlyUpper>() = out.transpose();
   return out;
 }
 
 void sumOfColumns(std::span<const double* const> columns, std::span<const double> times, VectorXd& out) {
-  (fourRowsFitOneRegister() ? sumInOneRegister : sumAsCompiled)(columns, times, out.size(), out.data());
+  withFourRows([&]() __attribute__((always_inline)) { sumAll(columns, times, out.size(), out.data()); });
 }
 
 void addLaggedProducts(const Eigen::Ref<const VectorXd>& x, VectorXd& sums) {
-  (fourRowsFitOneRegister() ? addLagsInOneRegister : addLagsAsCompiled)(x.data(), x.size(), sums.size(), sums.data());
+  withFourRows([&]() __attribute__((always_inline)) { addAllLags(x.data(), x.size(), sums.size(), sums.data()); });
 }
 
 }  // namespace heft

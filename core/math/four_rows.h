@@ -19,7 +19,9 @@ struct [[gnu::packed, gnu::may_alias]] FourRowsInMemory {
 }
 [[gnu::always_inline]] inline double sumOf(const FourRows& x) { return (x[0] + x[1]) + (x[2] + x[3]); }
 
-/// Whether one register holds four rows. What is compiled for that stands in functions of its own.
+namespace detail {
+
+/// Whether one register holds four rows.
 inline bool fourRowsFitOneRegister() {
 #if defined(__x86_64__)
   static const bool kAvx2 = __builtin_cpu_supports("avx2") != 0;
@@ -34,5 +36,24 @@ inline bool fourRowsFitOneRegister() {
 #else
 #define HEFT_FOUR_ROWS_IN_ONE_REGISTER
 #endif
+
+template <class Work>
+HEFT_FOUR_ROWS_IN_ONE_REGISTER void inOneRegister(const Work& work) {
+  work();
+}
+
+#undef HEFT_FOUR_ROWS_IN_ONE_REGISTER
+
+}  // namespace detail
+
+/// Calls work(), which is compiled for processors with a register for four rows, too. It is a lambda that is always
+/// inlined, and so is what it calls: the rest is compiled for every processor.
+template <class Work>
+void withFourRows(const Work& work) {
+  if (detail::fourRowsFitOneRegister())
+    detail::inOneRegister(work);
+  else
+    work();
+}
 
 }  // namespace heft

@@ -171,7 +171,6 @@ WhitenedColumns::WhitenedColumns(const ChannelColumns& columns, const Noise& noi
     parts_[c].resize(rows(c), std::ssize(which_[c]));
   }
   parallelFor(pieces.size(), [&](std::size_t i) {
-    stopPoint();
     const auto [c, place] = pieces[i];
     const auto values = columns.column(which_[c][static_cast<std::size_t>(place)]).channel(c);
     VectorXd even;

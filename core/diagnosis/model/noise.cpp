@@ -175,20 +175,12 @@ template <Eigen::Index Count>
   }
 }
 
-void innovateAsCompiled(const double* x, const Taps& weights, int order, Eigen::Index count, double* out) {
-  innovateAll(x, weights, order, count, out);
-}
-HEFT_FOUR_ROWS_IN_ONE_REGISTER void innovateInOneRegister(const double* x, const Taps& weights, int order,
-                                                          Eigen::Index count, double* out) {
-  innovateAll(x, weights, order, count, out);
-}
-
 }  // namespace
 
 void innovate(const double* x, const ArModel& noise, Eigen::Index count, double* out) {
   Taps weights{1.0 / noise.sigma};
   for (int i = 0; i < noise.order(); ++i) weights[static_cast<std::size_t>(i) + 1] = noise.coefficients(i) * weights[0];
-  (fourRowsFitOneRegister() ? innovateInOneRegister : innovateAsCompiled)(x, weights, noise.order(), count, out);
+  withFourRows([&]() __attribute__((always_inline)) { innovateAll(x, weights, noise.order(), count, out); });
 }
 
 void innovate(const Eigen::Ref<const VectorXd>& x, const Noise& noise, std::size_t channel,

@@ -169,14 +169,6 @@ inline MappedColumn<Rows> weighed(const ConstMappedColumns<Rows>& u, Eigen::Inde
   for (; i < count; ++i) out[i] = w[0] * u[i] + w[1] * u[i + apart] + w[2] * u[i + 2 * apart] + w[3] * u[i + 3 * apart];
 }
 
-void addUpAsCompiled(const double* u, Eigen::Index apart, const EndWeights& w, Eigen::Index count, double* out) {
-  addUp(u, apart, w, count, out);
-}
-HEFT_FOUR_ROWS_IN_ONE_REGISTER void addUpInOneRegister(const double* u, Eigen::Index apart, const EndWeights& w,
-                                                       Eigen::Index count, double* out) {
-  addUp(u, apart, w, count, out);
-}
-
 /// weighed() from the column `first` on: one for each column of `out`, which `u` must not share.
 template <int Rows, class Out>
 void weighedFrom(const ConstMappedColumns<Rows>& u, Eigen::Index first, const EndWeights& w, Out&& out) {
@@ -185,8 +177,9 @@ void weighedFrom(const ConstMappedColumns<Rows>& u, Eigen::Index first, const En
   for (Eigen::Index k = 0; k < from; ++k) out.col(k) = weighedAtEnds<Rows>(u, first + k, w);
   if (u.outerStride() == u.rows() && out.outerStride() == u.rows()) {
     if (from < to)
-      (fourRowsFitOneRegister() ? addUpInOneRegister : addUpAsCompiled)(u.col(first + from).data(), u.rows(), w,
-                                                                        (to - from) * u.rows(), out.col(from).data());
+      withFourRows([&]() __attribute__((always_inline)) {
+        addUp(u.col(first + from).data(), u.rows(), w, (to - from) * u.rows(), out.col(from).data());
+      });
   } else {
     for (Eigen::Index k = from; k < to; ++k) out.col(k) = weighed<Rows>(u, first + k, w);
   }
