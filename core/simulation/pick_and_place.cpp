@@ -108,10 +108,11 @@ class Planner {
 
   bool visit(double side) {
     const double reach = scene_.reach;
-    const Vector3d spot = scene_.X_BS_home.translation() + scene_.ahead * reach * random_.uniform(-0.10, 0.25) +
-                          scene_.aside * reach * side * random_.uniform(0.15, 0.45) -
-                          scene_.up * reach * random_.uniform(0.25, 0.36);
-    const Matrix3d R = turned(random_.uniform(-0.8, 0.8), random_.uniform(-0.25, 0.25), random_.uniform(-0.25, 0.25));
+    const double down = random_.uniform(0.25, 0.36), aside = random_.uniform(0.15, 0.45),
+                 ahead = random_.uniform(-0.10, 0.25);
+    const Vector3d spot = scene_.X_BS_home.translation() + scene_.ahead * reach * ahead +
+                          scene_.aside * reach * side * aside - scene_.up * reach * down;
+    const Matrix3d R = turned(0.8, 0.25);
     const Vector3d above = spot + scene_.up * reach * random_.uniform(0.12, 0.20);
     return moveTo(above, R, 1.0) && hold(random_.uniform(0.0, 0.25)) && moveTo(spot, R, 0.5) && touch(spot, R) &&
            hold(random_.uniform(0.1, 0.4)) && moveTo(above, R, 0.8);
@@ -120,10 +121,11 @@ class Planner {
   /// High over the table, with the tool turned as a person does to look at it or to pour.
   bool carry() {
     const double reach = scene_.reach;
-    const Vector3d via = scene_.X_BS_home.translation() + scene_.ahead * reach * random_.uniform(-0.1, 0.2) +
-                         scene_.aside * reach * random_.uniform(-0.2, 0.2) +
-                         scene_.up * reach * random_.uniform(-0.1, 0.1);
-    const Matrix3d R = turned(random_.uniform(-1.2, 1.2), random_.uniform(-0.8, 0.8), random_.uniform(-0.8, 0.8));
+    const double up = random_.uniform(-0.1, 0.1), aside = random_.uniform(-0.2, 0.2),
+                 ahead = random_.uniform(-0.1, 0.2);
+    const Vector3d via = scene_.X_BS_home.translation() + scene_.ahead * reach * ahead + scene_.aside * reach * aside +
+                         scene_.up * reach * up;
+    const Matrix3d R = turned(1.2, 0.8);
     return moveTo(via, R, 1.0) && hold(random_.uniform(0.0, 0.3));
   }
 
@@ -137,7 +139,8 @@ class Planner {
     const bool fixture = touch_.chance(0.2);
     contact.force = fixture ? Vector3d(-size * (across + 0.3 * scene_.up))
                             : Vector3d(-size * (scene_.up + touch_.uniform(0.0, 0.3) * across));
-    contact.point = tip_ + Vector3d(touch_.uniform(-0.02, 0.02), touch_.uniform(-0.02, 0.02), 0.0);
+    const double y = touch_.uniform(-0.02, 0.02), x = touch_.uniform(-0.02, 0.02);
+    contact.point = tip_ + Vector3d(x, y, 0.0);
     const double length = touch_.uniform(0.3, 1.9);
     const bool bump = touch_.chance(0.4);
     const double edge = std::min(0.4 * length, touch_.uniform(0.05, 0.4));
@@ -167,7 +170,11 @@ class Planner {
 
   double lastMoment() const { return options_.duration - rest_; }
 
-  Matrix3d turned(double yaw, double tiltAhead, double tiltAside) const {
+  /// The tool as a person might turn it. Draws are statements of their own: what a call draws in its arguments comes in
+  /// an order that compilers choose.
+  Matrix3d turned(double mostYaw, double mostTilt) {
+    const double tiltAside = random_.uniform(-mostTilt, mostTilt), tiltAhead = random_.uniform(-mostTilt, mostTilt),
+                 yaw = random_.uniform(-mostYaw, mostYaw);
     return rotationFromVector(yaw * scene_.up) * rotationFromVector(tiltAside * scene_.ahead) *
            rotationFromVector(tiltAhead * scene_.aside) * scene_.X_BS_home.linear();
   }

@@ -239,7 +239,7 @@ Recording simulated(const Payload& payload, Source source, const Motions& motion
   const int link = *panda.findLink(options.mount.parent);
   const Isometry3d X_LS = poseFromXyzRpy(options.mount.xyz, options.mount.rpy);
   std::normal_distribution<double> normal;
-  const auto noise = [&](double sd) { return Vector3d(sd * normal(random), sd * normal(random), sd * normal(random)); };
+  const auto noise = [&](double sd) { return Vector3d{sd * normal(random), sd * normal(random), sd * normal(random)}; };
   recording.position.resize(recording.rows(), 3);
   recording.quaternion.resize(recording.rows(), 4);
   for (Eigen::Index k = 0; k < recording.rows(); ++k) {

@@ -41,7 +41,7 @@ double normal(std::mt19937_64& random) {
 }
 
 Vector3d direction(std::mt19937_64& random) {
-  return Vector3d(normal(random), normal(random), normal(random)).normalized();
+  return Vector3d{normal(random), normal(random), normal(random)}.normalized();
 }
 
 template <class Each>
@@ -171,8 +171,8 @@ Recording standingRecording(const Payload& payload, int count, const Vector3d& g
   out.time = VectorXd::LinSpaced(count, 0.0, count - 1.0);
   out.q.resize(count, 7);
   out.wrench.resize(count, 6);
-  const Vector3d forceBias = bias * 3.0 * Vector3d(normal(random), normal(random), normal(random));
-  const Vector3d torqueBias = bias * 0.1 * Vector3d(normal(random), normal(random), normal(random));
+  const Vector3d forceBias = bias * 3.0 * Vector3d{normal(random), normal(random), normal(random)};
+  const Vector3d torqueBias = bias * 0.1 * Vector3d{normal(random), normal(random), normal(random)};
   const double home[] = {0.0, -0.6, 0.0, -2.2, 0.0, 1.7, 0.8};
   const double reach[] = {1.5, 0.5, 0.8, 0.6, 1.6, 1.4, 2.0};
   for (int k = 0; k < count; ++k) {

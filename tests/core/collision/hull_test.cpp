@@ -12,7 +12,7 @@ Eigen::Matrix3Xd randomPoints(int count, unsigned seed, const Vector3d& size) {
   std::normal_distribution<double> normal;
   Eigen::Matrix3Xd out(3, count);
   for (Eigen::Index i = 0; i < count; ++i)
-    out.col(i) = size.cwiseProduct(Vector3d(normal(random), normal(random), normal(random)));
+    out.col(i) = size.cwiseProduct(Vector3d{normal(random), normal(random), normal(random)});
   return out;
 }
 

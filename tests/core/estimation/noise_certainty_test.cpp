@@ -18,7 +18,7 @@ using Loads = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 WrenchRows guidedRows(std::mt19937& random, const Vector10d& phi, int n, double white, double slow, double memory) {
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> phase(0.0, 6.28);
-  const Vector3d at(phase(random), phase(random), phase(random));
+  const Vector3d at{phase(random), phase(random), phase(random)};
   WrenchRows rows;
   rows.rateHz = 50.0;
   rows.wrench.resize(6, n);

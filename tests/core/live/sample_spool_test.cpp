@@ -21,10 +21,10 @@ LiveSample drawn(std::mt19937& random) {
     for (int j = 0; j < out.joints; ++j) all[static_cast<std::size_t>(j)] = value(random);
     return all;
   };
-  const auto three = [&] { return Vector3d(value(random), value(random), value(random)); };
+  const auto three = [&] { return Vector3d{value(random), value(random), value(random)}; };
   if (maybe()) out.q = joints();
   if (out.q && maybe()) out.dq = joints();
-  if (maybe()) out.orientation = Quaterniond(value(random), value(random), value(random), value(random));
+  if (maybe()) out.orientation = Quaterniond{value(random), value(random), value(random), value(random)};
   if (out.orientation && maybe()) out.position = three();
   if (maybe()) out.wrench = Vector6d::Constant(value(random));
   if (maybe()) out.accelerometer = three();

@@ -36,7 +36,7 @@ Matrix4d monteCarlo(const ShapeBody& body, const Vector3d& low, const Vector3d& 
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   Matrix4d M = Matrix4d::Zero();
   for (int i = 0; i < count; ++i) {
-    Eigen::Vector4d p(uniform(random), uniform(random), uniform(random), 1.0);
+    Eigen::Vector4d p{uniform(random), uniform(random), uniform(random), 1.0};
     p.head<3>() = low + (high - low).cwiseProduct(p.head<3>());
     if (insidePrimitive(body, p.head<3>())) M += p * p.transpose();
   }

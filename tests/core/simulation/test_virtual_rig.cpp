@@ -164,6 +164,9 @@ TEST(VirtualRig, PracticeToolsCanExistAndDiffer) {
   EXPECT_GE(lightest, 0.25);
   EXPECT_LE(heaviest, 1.6);
   EXPECT_GT(heaviest / lightest, 4);
+  // The same with every compiler.
+  EXPECT_NEAR(practiceTool(1).mass, 1.1739988028, 1e-9);
+  EXPECT_NEAR(practiceTool(1).inertiaCom(0, 0), 0.00358003781688, 1e-13);
 }
 
 TEST(SensorNoise, OneByOneIsTheSameAsAllAtOnce) {

@@ -59,9 +59,11 @@ TEST(Corrected, WhatWasNotFoundCannotBeApplied) {
 TEST(Corrected, OlderFormsAreReadAndStrangeOnesStayOut) {
   const auto& p = pulled();
   auto found = p.found;
-  found["model"]["terms"] = {
-      {{"cause", "coulomb_friction"}, {"form", "giving way"}, {"choice", {4}}, {"values_si", {0.3, 0.01}}}};
-  found["causes"] = {{{"cause", "coulomb_friction"}}};
+  // Compilers disagree whether braces around one element make an array.
+  const auto arrayOf = [](nlohmann::json element) { return nlohmann::json::array({std::move(element)}); };
+  found["model"]["terms"] = arrayOf(
+      {{"cause", "coulomb_friction"}, {"form", "giving way"}, {"choice", arrayOf(4)}, {"values_si", {0.3, 0.01}}});
+  found["causes"] = arrayOf({{"cause", "coulomb_friction"}});
   // Friction that gives way acted at the sensor's origin before it had a place.
   const auto model = modelFromJson(found["model"], p.recording, &RobotModel::panda());
   ASSERT_TRUE(model.ok()) << model.error().message;
@@ -72,9 +74,9 @@ TEST(Corrected, OlderFormsAreReadAndStrangeOnesStayOut) {
   // Nobody knows this one any more: the estimate is what it is without it, and says so in one sentence.
   for (const char* broken : {R"({"cause":"coulomb_friction","choice":[99],"values_si":[1]})",
                              R"({"cause":"aether_wind","choice":[],"values_si":[1]})"}) {
-    found["model"]["terms"] = {nlohmann::json::parse(broken)};
+    found["model"]["terms"] = arrayOf(nlohmann::json::parse(broken));
     const std::string id = found["model"]["terms"][0]["cause"];
-    found["causes"] = {{{"cause", id}}};
+    found["causes"] = arrayOf({{"cause", id}});
     EXPECT_FALSE(corrected(p.recording, &RobotModel::panda(), found, {id}).ok());
     const auto with = estimateWith(p.recording, &RobotModel::panda(), {}, found, {id});
     const auto plain = estimate(p.recording, &RobotModel::panda(), {});
