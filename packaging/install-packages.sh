@@ -6,7 +6,7 @@
 # groff-base and the last four: validate.sh; dpkg-dev and file: cpack.)
 set -eu
 
-core="g++ cmake ninja-build ccache lld pkg-config libeigen3-dev nlohmann-json3-dev libcli11-dev libfmt-dev libceres-dev
+core="clang cmake ninja-build ccache lld pkg-config libeigen3-dev nlohmann-json3-dev libcli11-dev libfmt-dev libceres-dev
       liburdfdom-dev libassimp-dev libsqlite3-dev libzstd-dev liblz4-dev libbz2-dev zlib1g-dev libhdf5-dev libmatio-dev libboost-dev libfcl-dev libqhull-dev libgtest-dev libgmock-dev
       libmujoco-dev libsdformat-dev locales
       groff-base dpkg-dev file"
@@ -15,8 +15,8 @@ gui="libvtk9-qt-dev qtbase5-dev qttools5-dev libqt5svg5-dev libqcustomplot-dev x
 python="python3-dev pybind11-dev python3-numpy python3-matplotlib python3-pytest"
 
 style="git clang-format"
-tidy="clang clang-tidy"
-sanitizers="clang libclang-rt-dev"
+tidy="clang-tidy"
+sanitizers="libclang-rt-dev"
 
 packages=$core
 [ "${HEFT_STYLE:-OFF}" = OFF ] || packages="$packages $style"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# `heft estimate` and `heft diagnose` under sanitizers, on ten recordings of different kinds. Any report ends it. Two builds of the
-# command line by Clang (the Debian packages clang and libclang-rt-dev), which instruments in half of GCC's time: address and
-# undefined behaviour together, which reads the corpora of all parsers, too, and is the tree of packaging/fuzz.sh; threads alone.
+# `heft estimate` and `heft diagnose` under sanitizers, on ten recordings of different kinds. Any report ends it. Two builds
+# of the command line, which need the Debian packages clang and libclang-rt-dev: address and undefined behaviour together,
+# which reads the corpora of all parsers, too, and is the tree of packaging/fuzz.sh; threads alone.
 #   sh packaging/sanitize.sh [address|thread]     both unless one is named
 # HEFT_UNTIL (seconds since 1970): what would begin later is left out, and said.
 set -eu

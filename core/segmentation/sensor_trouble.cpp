@@ -83,13 +83,13 @@ std::vector<Trouble> sensorTrouble(const Recording& recording, const std::vector
   const auto& wrench = recording.wrench;
   const VectorXd& time = recording.time;
   if (wrench.rows() < 20) return out;
-  constexpr double kShortest = 0.05;  // [s]
+  constexpr double kShortestFreeze = 0.05;  // [s]
   const auto add = [&](const FrozenStretch& stretch, const std::string& reason) {
     if (stretch.length() < wrench.rows()) out.push_back({time(stretch.from), time(stretch.to - 1), reason});
   };
   const std::vector<Changes> each = changesOfEach(wrench);
   const Changes changes = ofAny(each);
-  for (const FrozenStretch& hung : frozenStretches(time, changes, kShortest))
+  for (const FrozenStretch& hung : frozenStretches(time, changes, kShortestFreeze))
     add(hung, heft::say("Sensor values frozen: no new data."));
   const auto silent = silentChannels(wrench);
   const auto cut = mostlyCutOff(tops, wrench.rows());

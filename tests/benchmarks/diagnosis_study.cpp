@@ -137,7 +137,7 @@ std::string disagreement(const nlohmann::json& rig, const nlohmann::json& twin) 
         for (const auto& id : cause.at("alternatives")) all.push_back(id);
         return all;
       }();
-      if (std::ranges::none_of(ids, [&](const std::string& id) { return names(*other, id); }))
+      if (std::ranges::none_of(ids, [against = other](const std::string& id) { return names(*against, id); }))
         out += said + ids.front() + "; ";
     }
   for (const auto& cause : rig.at("causes"))

@@ -221,7 +221,7 @@ TEST_F(DialogsTest, FileDialogsAndMessageBoxesLookLikeTheRest) {
     bool seen = false;
     QTimer poll;
     poll.setInterval(30);
-    QObject::connect(&poll, &QTimer::timeout, [&] {
+    QObject::connect(&poll, &QTimer::timeout, [&, picture = QStringLiteral("dialog_file_%1").arg(language)] {
       auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
       if (!dialog || !dialog->isVisible()) return;
       poll.stop();
@@ -233,7 +233,7 @@ TEST_F(DialogsTest, FileDialogsAndMessageBoxesLookLikeTheRest) {
       EXPECT_TRUE(places.contains(folder.path())) << "where the open recording is: " << places.join(' ').toStdString();
       EXPECT_EQ(dialog->iconProvider()->icon(QFileIconProvider::Folder).pixmap(20, 20).toImage(),
                 themedIcon("folder").pixmap(20, 20).toImage());
-      keep(dialog, QStringLiteral("dialog_file_%1").arg(language));
+      keep(dialog, picture);
       seen = true;
       dialog->reject();
     });

@@ -68,9 +68,9 @@ bool ShownMotion::pathHolds(double shownAbout, double time) const {
 
 std::vector<Vector3d> ShownMotion::sweep() const {
   std::vector<Vector3d> points;
-  constexpr int kInstants = 40;
-  for (int i = 0; i <= kInstants; ++i) {
-    const double time = firstTime() + span() * i / kInstants;
+  constexpr int kInstantsOfSweep = 40;
+  for (int i = 0; i <= kInstantsOfSweep; ++i) {
+    const double time = firstTime() + span() * i / kInstantsOfSweep;
     for (const Isometry3d& X : linksAt(time)) {
       // A link is about this thick about its frame.
       for (const double side : {-0.09, 0.09}) {

@@ -39,7 +39,7 @@ class Resistance : public Cause {
  protected:
   /// Form::choice: at the sensor's origin, against turning, both; at a place away from the sensor, there different
   /// along each axis, there and against turning. 4, 5 and from kFirstOwn on: the cause's own.
-  enum Kind { kMoving = 0, kTurning = 1, kBoth = 2, kAway = 3, kAwayPerAxis = 6, kAwayTurning = 7, kFirstOwn = 8 };
+  enum Kind { kMoving = 0, kTurning = 1, kBoth = 2, kAwayAlike = 3, kAwayPerAxis = 6, kAwayTurning = 7, kFirstOwn = 8 };
 
   /// Resistances that may be less than none.
   static std::vector<int> mayPush(const Form& form) {
@@ -60,7 +60,7 @@ class Resistance : public Cause {
   }
   /// At a place away from the sensor; `parameters` as of withPlace(), what follows the place at its end.
   void addAway(std::vector<Form>& out, std::vector<Parameter> parameters) const {
-    add(out, kAway, "away from the sensor", std::move(parameters));
+    add(out, kAwayAlike, "away from the sensor", std::move(parameters));
     out.back().scan = {0};
   }
   /// Two of them would share what resists, and neither would say how much.
@@ -147,7 +147,7 @@ class ViscousDrag final : public Resistance {
              Wrenches& w) const override {
     const int kind = form.choice[0];
     const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
-    const bool away = kind == kAway || kind == kAwayPerAxis || kind == kAwayTurning || kind >= kFirstOwn;
+    const bool away = kind == kAwayAlike || kind == kAwayPerAxis || kind == kAwayTurning || kind >= kFirstOwn;
     const int turns = turningOf(kind);
     const Matrix3d along = kind == kLines || kind == kToolLines ? tensor(v.head<6>()) : Matrix3d(Matrix3d::Zero());
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
@@ -275,7 +275,7 @@ class CoulombFriction final : public Resistance {
       if (kind == kTurning) continue;
       const Vector3d r = place < 0 ? Vector3d(Vector3d::Zero()) : Vector3d(v.segment<3>(place));
       const Vector3d velocity = velocityAt(signals, kin, k, R, r);
-      const double stick = kind == kAway ? v(4) : kind == kAwayPerAxis ? v(6) : kStick;
+      const double stick = kind == kAwayAlike ? v(4) : kind == kAwayPerAxis ? v(6) : kStick;
       Vector3d direction = velocity / std::sqrt(velocity.squaredNorm() + stick * stick);
       if (kind == kGivesWay) {
         // Dahl: z' = v - |v| z / way, the exact step for a velocity that is constant over it.
@@ -297,7 +297,7 @@ class CoulombFriction final : public Resistance {
   /// Which of a form's parameters is the first of the place where it acts; -1: the sensor's origin.
   static int placeOf(int kind) {
     switch (kind) {
-      case kAway:
+      case kAwayAlike:
         return 1;
       case kGivesWay:
         return 2;
