@@ -170,8 +170,7 @@ class Planner {
 
   double lastMoment() const { return options_.duration - rest_; }
 
-  /// The tool as a person might turn it. Draws are statements of their own: what a call draws in its arguments comes in
-  /// an order that compilers choose.
+  /// The tool as a person might turn it.
   Matrix3d turned(double mostYaw, double mostTilt) {
     const double tiltAside = random_.uniform(-mostTilt, mostTilt), tiltAhead = random_.uniform(-mostTilt, mostTilt),
                  yaw = random_.uniform(-mostYaw, mostYaw);

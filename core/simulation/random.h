@@ -12,6 +12,8 @@ namespace heft {
 enum class RandomPurpose : std::uint64_t { motion = 1, tremor, contact, bias, white, coloured, encoder, walk, effect };
 
 /// xoshiro256++ (Blackman and Vigna 2019), seeded through splitmix64; normal deviates by Marsaglia's polar method.
+/// Each draw is a statement of its own, or one of a list in braces: arguments of a call and terms of a sum are worked
+/// out in an order that compilers choose, and a seed would mean something else with each.
 class RandomStream {
  public:
   RandomStream(std::uint64_t seed, RandomPurpose purpose, std::uint64_t channel = 0) {

@@ -96,8 +96,6 @@ Payload practiceTool(std::uint64_t seed) {
   const double mass = 0.25 * std::exp(random.uniform(0.0, 1.0) * std::log(1.6 / 0.25));
   const double share = random.uniform(0.35, 0.65);
   const double height = random.uniform(0.05, 0.08);
-  // Draws are statements of their own, or in braces: what a call draws in its arguments comes in an order that
-  // compilers choose.
   const double handYaw = random.uniform(-0.4, 0.4);
   const Vector3d handEdges{random.uniform(0.06, 0.10), random.uniform(0.05, 0.12), height};
   const Payload hand = box(share * mass, handEdges, {0.0, 0.0, 0.5 * height}, {0.0, 0.0, handYaw});
