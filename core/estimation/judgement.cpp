@@ -149,12 +149,12 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, const Unseen& 
   // Soft information that the data contradict. What the shape's material leaves open is judged with the shape.
   const auto& disagreement = report.evidence.disagreement;
   std::vector<std::string> parts;
-  constexpr const char* kAxes[] = {"x", "y", "z"};
-  constexpr const char* kEntries[] = {"xx", "xy", "xz", "yy", "yz", "zz"};
+  constexpr const char* kCentreAxes[] = {"x", "y", "z"};
+  constexpr const char* kInertiaEntries[] = {"xx", "xy", "xz", "yy", "yz", "zz"};
   const auto nameOf = [&](int i) {
     return i == 0  ? heft::say("mass")
-           : i < 4 ? heft::say("centre along {}", kAxes[i - 1])
-                   : heft::say("inertia {}", kEntries[i - 4]);
+           : i < 4 ? heft::say("centre along {}", kCentreAxes[i - 1])
+                   : heft::say("inertia {}", kInertiaEntries[i - 4]);
   };
   for (int i = 0; i < 10; ++i)
     if (std::abs(disagreement(i)) > 4.0)

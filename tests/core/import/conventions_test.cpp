@@ -108,17 +108,17 @@ TEST_F(ImportedConventions, AnglesAreUnwrappedBeforeTheyAreAveraged) {
   std::string joints = "time,q1,q2,q3,q4,q5,q6,q7\n";
   std::string wrench = "time,fx,fy,fz,tx,ty,tz\n";
   const auto angle = [](double t, int j) { return jointAt(t, j) + (j == 2 ? 3.0 : j == 4 ? -2.0 * t : 0.0); };
-  constexpr double kStart = 1700000000.0;
+  constexpr double kStartSeconds = 1700000000.0;
   for (int k = 0; k < 5000; ++k) {
     const double t = 0.001 * k;
-    joints += fmt::format("{:.6f}", kStart + t);
+    joints += fmt::format("{:.6f}", kStartSeconds + t);
     for (int j = 0; j < 7; ++j)
       joints += fmt::format(",{:.12f}", std::remainder(angle(t, j), 2.0 * std::numbers::pi) * 180.0 / std::numbers::pi);
     joints += "\n";
   }
   for (int k = 0; k < 480; ++k) {
     const double t = k / 97.0;
-    wrench += fmt::format("{:.6f}", kStart + t);
+    wrench += fmt::format("{:.6f}", kStartSeconds + t);
     for (int a = 0; a < 6; ++a) wrench += fmt::format(",{:.9f}", wrenchAt(t, a));
     wrench += "\n";
   }

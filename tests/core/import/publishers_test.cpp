@@ -18,7 +18,7 @@ using namespace testing_support;
 using testing::HasSubstr;
 using Publishers = InFolder;
 
-constexpr std::int64_t kStart = 1'700'000'000'000'000'000;  // [ns]
+constexpr std::int64_t kStartNanoseconds = 1'700'000'000'000'000'000;
 
 /// An MCAP file without chunks and index.
 class McapText {
@@ -75,7 +75,7 @@ std::string bag(Other other, const std::string& velocity = "") {
   out.channel(2, "/ft", "geometry_msgs/WrenchStamped");
   for (int k = 0; k < 100; ++k) {
     const double t = 0.01 * k;
-    const std::int64_t now = kStart + 10'000'000LL * k;
+    const std::int64_t now = kStartNanoseconds + 10'000'000LL * k;
     if (const std::string more = other(k); !more.empty()) out.message(1, now - 3'000'000, more);
     out.message(1, now, arm(t, velocity));
     out.message(2, now, wrenchMessage(t));
@@ -118,7 +118,7 @@ TEST_F(Publishers, VelocitiesThatAreNullOrEmptyAreLeftAside) {
 TEST_F(Publishers, WhatExplainsAFailureIsSaidWithIt) {
   McapText out;
   out.channel(1, "/joints", "my.Joints", "protobuf");
-  out.message(1, kStart, "\x08\x01");
+  out.message(1, kStartNanoseconds, "\x08\x01");
   const auto read = openRecording(write("protobuf.mcap", out.bytes()));
   ASSERT_FALSE(read.ok());
   EXPECT_THAT(read.error().message, HasSubstr("\"protobuf\""));
@@ -165,11 +165,11 @@ TEST_F(Publishers, ADelayOfSecondsIsFoundAndCanBeStatedBack) {
       names.push_back(fmt::format("\"panda_joint{}\"", j + 1));
       positions.push_back(fmt::format("{:.12g}", q(j)));
     }
-    out.message(1, kStart + 10'000'000LL * k,
+    out.message(1, kStartNanoseconds + 10'000'000LL * k,
                 fmt::format(R"({{"name":{},"position":{}}})", list(names), list(positions)));
     const Vector3d weight = forceAt(t - kLate);
     out.message(
-        2, kStart + 10'000'000LL * k,
+        2, kStartNanoseconds + 10'000'000LL * k,
         fmt::format(
             R"({{"wrench":{{"force":{{"x":{:.9g},"y":{:.9g},"z":{:.9g}}},"torque":{{"x":0.1,"y":0.2,"z":{:.9g}}}}}}})",
             weight(0), weight(1), weight(2), 0.01 * std::sin(t)));

@@ -9,7 +9,7 @@ namespace {
 using namespace testing_support;
 using Tables = InFolder;
 
-constexpr double kStart = 1700000000.0;
+constexpr double kStartSeconds = 1700000000.0;
 
 TEST_F(Tables, PlotJugglerLeavesCellsEmptyWhereItMerges) {
   for (const char separator : {',', ';', '\t', ' '}) {
@@ -23,7 +23,7 @@ TEST_F(Tables, PlotJugglerLeavesCellsEmptyWhereItMerges) {
       const double t = k * 0.0025;
       const bool joints = k % 4 == 1;
       const bool wrench = k % 2 == 0;
-      text += fmt::format("{:.6f}", kStart + t);
+      text += fmt::format("{:.6f}", kStartSeconds + t);
       for (int j = 0; j < 7; ++j)
         text += joints ? fmt::format("{}{:.9f}", separator, jointAt(t, j)) : std::string(1, separator);
       for (int a = 0; a < 6; ++a)
@@ -44,7 +44,7 @@ std::string jointsOfRostopic(const std::vector<std::string>& names) {
   text += "\n";
   for (int k = 0; k < 100; ++k) {
     const double t = 0.01 * k;
-    text += fmt::format("{:.0f},{},{:.0f},", 1e9 * (kStart + t + 0.003), k, 1e9 * (kStart + t));
+    text += fmt::format("{:.0f},{},{:.0f},", 1e9 * (kStartSeconds + t + 0.003), k, 1e9 * (kStartSeconds + t));
     for (const auto& name : names) text += "," + name;
     for (const auto& name : names) {
       const int joint = name.back() - '1';
@@ -65,7 +65,7 @@ TEST_F(Tables, RostopicEchoIsJoinedWithTheWrench) {
       "field.wrench.torque.z\n";
   for (int k = 0; k < 200; ++k) {
     const double t = 0.005 * k;
-    text += fmt::format("{:.0f},{},{:.0f},ft", 1e9 * (kStart + t + 0.002), k, 1e9 * (kStart + t));
+    text += fmt::format("{:.0f},{},{:.0f},ft", 1e9 * (kStartSeconds + t + 0.002), k, 1e9 * (kStartSeconds + t));
     for (int a = 0; a < 6; ++a) text += fmt::format(",{:.9f}", wrenchAt(t, a));
     text += "\n";
   }
@@ -223,12 +223,12 @@ TEST_F(Tables, LabelsOfOneFileFollowItsClock) {
   for (int j = 1; j <= 7; ++j) joints += fmt::format(",q{}", j);
   joints += ",label\n";
   for (int k = 0; k < 100; ++k) {
-    joints += fmt::format("{:.3f}", kStart + 0.01 * k);
+    joints += fmt::format("{:.3f}", kStartSeconds + 0.01 * k);
     for (int j = 0; j < 7; ++j) joints += fmt::format(",{:.9f}", jointAt(0.01 * k, j));
     joints += k >= 50 ? ",ignore\n" : ",free\n";
   }
   for (int k = 0; k < 200; ++k) {
-    wrench += fmt::format("{:.3f}", kStart + 0.005 * k);
+    wrench += fmt::format("{:.3f}", kStartSeconds + 0.005 * k);
     for (int a = 0; a < 6; ++a) wrench += fmt::format(",{:.9f}", wrenchAt(0.005 * k, a));
     wrench += "\n";
   }
