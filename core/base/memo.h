@@ -33,6 +33,11 @@ class Memo {
     return made;
   }
 
+  void forget() {
+    const std::lock_guard lock(mutex_);
+    answers_.clear();
+  }
+
  private:
   using Pair = std::pair<Question, std::shared_ptr<const Answer>>;
 

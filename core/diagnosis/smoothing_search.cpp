@@ -189,6 +189,7 @@ class SmoothingSearch {
     };
     if (!ask(true)) return false;
     ask(false);
+    if (const auto& left = candidates_[at_].signals.joints) left->forget();
     at_ = leastSmoothed(gains);
     return true;
   }
@@ -199,14 +200,17 @@ class SmoothingSearch {
 
   Result<Hypothesis> search() {
     const bool smooth = at_ > kUsualSmoothing;
-    auto found = searchedOn(at_, kThreshold, [&](const Hypothesis& hypothesis, SearchStage soFar) {
-      if (soFar == SearchStage::anotherCause) return false;
-      return smooth && soFar == SearchStage::firstCause ? betterBy([&](const SmoothingCandidate& candidate) {
+    // Asked with each cause: what is found beside a smoothing that does not suit is found again on the one that does.
+    auto found = searchedOn(at_, kThreshold, [&](const Hypothesis& hypothesis, bool isFirst) {
+      return smooth && isFirst ? betterBy([&](const SmoothingCandidate& candidate) {
         return evidenceAfresh(candidate, hypothesis, options_);
       })
-                                                        : betterElsewhere(hypothesis);
+                               : betterElsewhere(hypothesis);
     });
-    if (found && found->search.givenUp) found = searchedOn(at_, kThreshold);
+    if (found && found->search.givenUp) {
+      *found = {};  // Two at a time are half of the memory of all
+      found = searchedOn(at_, kThreshold);
+    }
     if (!found) return found;
     if (const std::size_t was = at_; !progress_.cancelled() && betterElsewhere(*found)) {
       auto again = searchedOn(at_, kThreshold);

@@ -84,7 +84,7 @@ void searchFirst(Hypothesis& hypothesis, const Signals& whole, std::vector<Stret
   for (bool touched = true; touched;) {
     touched = false;
     searching.stopsEarly = [&](const SearchStatus& is) {
-      if (times > 0 && is.soFar != SearchStage::allCauses)
+      if (times > 0)
         if (auto more = holesWithTouches(hypothesis.signals, is, holes); !more.empty()) {
           holes = std::move(more);
           --times;
@@ -93,7 +93,7 @@ void searchFirst(Hypothesis& hypothesis, const Signals& whole, std::vector<Stret
         }
       if (!stopsEarly) return false;
       hypothesis.search.final = is.fit;
-      return stopsEarly(hypothesis, is.soFar);
+      return stopsEarly(hypothesis, is.isFirst);
     };
     searchBeside(hypothesis, whole, holes, searching, progress);
     if (touched) searching.start = without(hypothesis.search.final.model, ids::contact);
@@ -111,9 +111,7 @@ void unlessNobodyTouched(Hypothesis& hypothesis, const Signals& whole, const std
   if (alternative.share > kMajority) hypothesis.contactAlternative = alternative.cause;
   searching.start = Model{};
   // A touch among the causes says that somebody did.
-  searching.stopsEarly = [](const SearchStatus& is) {
-    return is.soFar != SearchStage::allCauses && contains(is.fit.model, ids::contact);
-  };
+  searching.stopsEarly = [](const SearchStatus& is) { return contains(is.fit.model, ids::contact); };
   Hypothesis untouched;
   untouched.mountTurnReported = hypothesis.mountTurnReported;
   untouched.contactAlternative = hypothesis.contactAlternative;

@@ -9,7 +9,7 @@
 namespace heft::diagnosis {
 
 /// SearchOptions::stopsEarly, of a hypothesis that has come as far.
-using StopsEarly = std::function<bool(const Hypothesis& hypothesis, SearchStage soFar)>;
+using StopsEarly = std::function<bool(const Hypothesis& hypothesis, bool isFirst)>;
 
 /// Contact on `candidate` must have been looked for. `stopsEarly`, if any, is asked by the first search, before
 /// anything is compared.

@@ -177,10 +177,16 @@ Fit restWithout(const Signals& signals, const std::vector<Stretch>& stretches, c
 
 /// A fit with one term of either `cause` or a named one that it is easily taken for, instead of all terms of both,
 /// where that explains about as well: such as a pull at the tip that was told as a tilt and a pull at the sensor.
+/// `asked`: causes of which the same was asked before.
 std::optional<Fit> oneForTwo(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
-                             const Fit& final, std::string_view cause) {
+                             const Fit& final, std::string_view cause, std::span<const std::string> asked) {
+  const auto isAlike = [](std::string_view one, std::string_view other) {
+    const auto alike = findCause(one)->lookAlikes();
+    return std::ranges::find(alike, other) != alike.end();
+  };
   for (const auto& other : findCause(cause)->lookAlikes()) {
     if (!contains(final.model, other)) continue;
+    if (std::ranges::find(asked, other) != asked.end() && isAlike(other, cause)) continue;
     const std::array<std::string_view, 2> both{cause, other};
     const Fit rest = fitModel(signals, stretches, without(without(final.model, cause), other));
     auto one = withOneOf(signals, stretches, bank, rest, both);
@@ -302,7 +308,9 @@ class RivalComparison {
   }
 
   bool takeOneForTwo(const std::string& cause) {
-    const auto one = oneForTwo(signals_, stretches_, bank_, search_.final, cause);
+    const std::span order(search_.order);
+    const auto before = static_cast<std::size_t>(std::ranges::find(order, cause) - order.begin());
+    const auto one = oneForTwo(signals_, stretches_, bank_, search_.final, cause, order.first(before));
     if (!one) return false;
     take(*one);
     std::erase_if(search_.order, [&](const std::string& named) { return !contains(search_.final.model, named); });

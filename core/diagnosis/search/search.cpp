@@ -130,8 +130,14 @@ std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>&
   const auto ranked = promises(signals, stretches, bank, base, causes);
   auto chosen = chosenOf(ranked, kRivals, 0.0);
   if (chosen.size() > most) chosen.resize(most);
-  auto all = fitsOf(signals, stretches, base, chosen);
-  if (all.empty() || all.front().gain < kThreshold) return std::nullopt;
+  // Where none of those that promise most can be believed, it is what they are added to that cannot.
+  constexpr std::size_t kFirst = 8;
+  const auto rest = chosen.begin() + static_cast<std::ptrdiff_t>(std::min(kFirst, chosen.size()));
+  auto all = fitsOf(signals, stretches, base, {chosen.begin(), rest});
+  if (all.empty() || all.front().gain < -1e299) return std::nullopt;
+  auto more = fitsOf(signals, stretches, base, {rest, chosen.end()});
+  if (!more.empty() && more.front().gain > all.front().gain) all = std::move(more);
+  if (all.front().gain < kThreshold) return std::nullopt;
   return std::move(all.front().fit);
 }
 
@@ -179,20 +185,18 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     std::ranges::move(siblingsOf(*chosen, latest.all), std::back_inserter(siblings));
     Fit accepted =
         withOthersLikeIt(signals, stretches, *chosen, all, static_cast<std::size_t>(std::max(0, options.maxTerms)));
-    const SearchStage soFar = step == 0 ? SearchStage::firstCause : SearchStage::anotherCause;
+    const bool isFirst = step == 0;
     const std::string last = chosen->cause;
     const double gain = chosen->gain;
     step += static_cast<int>(accepted.model.terms.size() - chosen->fit.model.terms.size());
     out.final = settled(signals, stretches, prunedOf(signals, stretches, std::move(accepted), options.threshold));
     out.accepted = std::move(latest);
     if (options.stopsEarly &&
-        options.stopsEarly({out.final, soFar, last, gain, out.final.evidence - out.null.evidence})) {
+        options.stopsEarly({out.final, isFirst, last, gain, out.final.evidence - out.null.evidence})) {
       out.givenUp = true;
       return out;
     }
   }
-  out.givenUp = options.stopsEarly && out.final.model.terms.size() > 1 &&
-                options.stopsEarly({out.final, SearchStage::allCauses, {}});
   return out;
 }
 

@@ -13,13 +13,10 @@
 
 namespace heft::diagnosis {
 
-/// How far a search has come when it is asked whether it ends there.
-enum class SearchStage { firstCause, anotherCause, allCauses };
-
-/// And what it has found.
+/// What a search has found when it is asked whether it ends there.
 struct SearchStatus {
   const Fit& fit;
-  SearchStage soFar;
+  bool isFirst = false;    ///< Whether the cause that was accepted last is the first one
   std::string_view last;   ///< Cause that was accepted last
   double gain = 0.0;       ///< Evidence of that
   double explained = 0.0;  ///< Evidence of everything that was accepted
@@ -29,8 +26,7 @@ struct SearchOptions {
   double threshold = kThreshold;
   int maxTerms = 6;
   Model start;  ///< Terms to begin with, as a search on nearly the same blocks found them
-  /// Asked with each cause accepted, and once more with all of them if these are several: whether the search is given
-  /// up there. Empty: never.
+  /// Asked with each cause accepted: whether the search is given up there. Empty: never.
   std::function<bool(const SearchStatus& standing)> stopsEarly;
 };
 
@@ -70,7 +66,8 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
               const SearchOptions& options, const Progress& progress);
 
 /// The best that one more term of one of the `causes` makes of `base`; none where nothing believable comes of it. Of
-/// the forms that promise anything, `most` are tried at most.
+/// the forms that promise anything, `most` are tried at most, and no more where none of those that promise most can be
+/// believed.
 std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
                              const Fit& base, std::span<const std::string_view> causes,
                              std::size_t most = std::numeric_limits<std::size_t>::max());

@@ -39,6 +39,9 @@ class JointTurns {
   /// joint after the other asks for the same ones again.
   std::shared_ptr<const Kinematics> with(const JointTurn& turn, const Vector3d& gravity) const;
 
+  /// Gives the memory of the answers back: whoever asks again waits again.
+  void forget() const { answers_.forget(); }
+
  private:
   struct Cut;
   struct Asked {

@@ -104,7 +104,7 @@ struct Held {
 
   std::vector<diagnosis::Stretch> with(double gain, double explained,
                                        const std::vector<diagnosis::Stretch>& holes) const {
-    return diagnosis::holesWithTouches(signals, {fit, diagnosis::SearchStage::anotherCause, last, gain, explained},
+    return diagnosis::holesWithTouches(signals, {fit, false, last, gain, explained},
                                        holes);
   }
 
