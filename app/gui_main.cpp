@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "app/version.h"
+#include "core/base/heap.h"
 #include "core/base/json_file.h"
 #include "ui/main_window/main_window.h"
 #include "ui/offscreen/private_display.h"
@@ -133,6 +134,7 @@ int run(int argc, char** argv, const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  heft::useTwoHeaps();
   Options options;
   std::string size;
   CLI::App app{"Heft Studio shows a recording of a robot arm and its tool, and what the tool weighs."};

@@ -9,6 +9,7 @@
 #include "app/cli/reading.h"
 #include "app/cli/recording_options.h"
 #include "app/cli/stage_times.h"
+#include "core/base/heap.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/correction/check_on_other.h"
 #include "core/diagnosis/diagnose.h"
@@ -62,6 +63,7 @@ void run(const DiagnoseArguments& options) {
   for (const auto& file : {options.report, options.correctedMeta})
     if (!file.empty()) requireWritable(file, {options.force, {}});
 
+  useTwoHeaps();
   ProgressLine line;
   StageTimes times;
   const Progress progress = options.timing ? times.watching(line.progress()) : line.progress();

@@ -6,6 +6,8 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/heap.h"
+
 namespace heft::detail {
 
 namespace {
@@ -51,6 +53,7 @@ class Second {
   enum class State { waits, asked, works, done };
 
   void run() {
+    useLargePagesInThread();
     isOneOfTwo = true;
     std::unique_lock lock(mutex_);
     for (;;) {

@@ -182,9 +182,9 @@ std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std
       chosen.push_back(&candidate);
       continue;
     }
-    // In 134 recordings, one in 200 that promised less gained enough, and next to nothing.
+    // What promises less hardly ever wins: trying down to a fifth changed numbers of 3 in 320 recordings, and no cause.
     if (candidate.score <
-        std::max(whole ? 0.0 : -kTie, (whole ? 0.0 : -30.0) + kMinorShare * std::max(0.0, toBeat - 2.0 * kTie)))
+        std::max(whole ? 0.0 : -kTie, (whole ? 0.0 : -30.0) + kMajority * std::max(0.0, toBeat - 2.0 * kTie)))
       continue;
     auto& known = forms[whole ? 0 : 1];
     const auto id = candidate.form.cause->id();

@@ -104,8 +104,7 @@ struct Held {
 
   std::vector<diagnosis::Stretch> with(double gain, double explained,
                                        const std::vector<diagnosis::Stretch>& holes) const {
-    return diagnosis::holesWithTouches(signals, {fit, false, last, gain, explained},
-                                       holes);
+    return diagnosis::holesWithTouches(signals, {fit, false, last, gain, explained}, holes);
   }
 
   diagnosis::Signals signals;
