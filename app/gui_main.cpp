@@ -131,10 +131,7 @@ int run(int argc, char** argv, const Options& options) {
   return QApplication::exec();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  heft::useTwoHeaps();
+int parseAndRun(int argc, char** argv) {
   Options options;
   std::string size;
   CLI::App app{"Heft Studio shows a recording of a robot arm and its tool, and what the tool weighs."};
@@ -187,8 +184,15 @@ int main(int argc, char** argv) {
     }
     options.size = *parsed;
   }
+  return run(argc, argv, options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  heft::useTwoHeaps();
   try {
-    return run(argc, argv, options);
+    return parseAndRun(argc, argv);
   } catch (const std::exception& error) {
     return complain(kFailed,
                     fmt::format("Something inside the program went wrong ({}); please report it.", error.what()));

@@ -51,14 +51,14 @@ void keepFreedMemory() {
   keeps = true;
 }
 
-void useTwoHeaps() {
+void useTwoHeaps() noexcept {
   if (!keeps || isAddressSpaceScarce()) return;
   mallopt(M_ARENA_MAX, 2);
   mallopt(M_TOP_PAD, static_cast<int>(kThreadHeap));  // Opened whole, so that all of it can be advised of
   hasTwo = true;
 }
 
-void useLargePagesInThread() {
+void useLargePagesInThread() noexcept {
   if (!hasTwo) return;
   void* const first = std::malloc(1);
   const auto from = reinterpret_cast<std::uintptr_t>(first) / kThreadHeap * kThreadHeap;

@@ -11,11 +11,11 @@ void keepFreedMemory();
 /// From the next thread on there are two such heaps: two threads that allocate all the time do not wait for each
 /// other's lock, which is a quarter of a diagnosis' time. Costs up to a twentieth of memory. Call it before there is
 /// any other thread.
-void useTwoHeaps();
+void useTwoHeaps() noexcept;
 
 /// Large pages for the calling thread where it has the second heap. Only advice: a heap that it shares has them
 /// already.
-void useLargePagesInThread();
+void useLargePagesInThread() noexcept;
 
 /// Gives what is free back to the system, as after long work. Walks the heap: milliseconds a gigabyte.
 void giveFreedMemoryBack();

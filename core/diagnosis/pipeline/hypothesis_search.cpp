@@ -45,7 +45,7 @@ AlternativeExplanation alternativeExplanationOf(const Signals& whole, SignatureB
       out.cause = causeOf(other->model.terms.back());
     }
   out.share = 1.0 - evidenceOf(left) / evidenceOf(contacts);
-  out.contacts = out.share > kNearlyAll ? std::move(left) : contacts;
+  out.contacts = out.share > kNearlyAll ? left : contacts;
   return out;
 }
 
