@@ -1,6 +1,6 @@
 #pragma once
 // Naming causes one after the other, each by the evidence it adds. What could stand in their place is asked in the end:
-// look_back.h.
+// rival_comparison.h.
 #include <functional>
 #include <limits>
 #include <optional>
