@@ -37,6 +37,6 @@ if [ "$count" -gt "$most" ]; then
 fi
 # Single files with their own flags: no unity, no precompiled headers.
 mkdir -p build
-cmake --preset plain -B build/tidy -DHEFT_WITH_GUI="$gui" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >build/tidy.log || { tail -n 20 build/tidy.log >&2; exit 1; }
+cmake --preset plain -B build/tidy -DHEFT_WITH_GUI="$gui" >build/tidy.log || { tail -n 20 build/tidy.log >&2; exit 1; }
 cmake --build build/tidy --target heft_revision >>build/tidy.log  # The header that a build makes
 echo "$files" | xargs -P "${JOBS:-$(nproc)}" -n 1 clang-tidy -p build/tidy --quiet

@@ -24,6 +24,10 @@ bool isLimited(int resource) {
 
 bool isAddressSpaceScarce() { return isLimited(RLIMIT_AS) || isLimited(RLIMIT_DATA); }
 
+void adviseLargePages(std::uintptr_t from, std::size_t size) {
+  ::madvise(reinterpret_cast<void*>(from), size, MADV_HUGEPAGE);  // NOLINT(performance-no-int-to-ptr)
+}
+
 /// Lets the heap have address space at once, since only what it has can be advised of. What is not touched takes no
 /// memory.
 void askForLargePages() {
@@ -35,8 +39,7 @@ void askForLargePages() {
   void* const room = std::malloc(size);
   if (room == nullptr) return;
   const auto from = reinterpret_cast<std::uintptr_t>(room) / kLargePage * kLargePage + kLargePage;
-  if (size > kLargePage)
-    ::madvise(reinterpret_cast<void*>(from), size - kLargePage, MADV_HUGEPAGE);  // NOLINT(performance-no-int-to-ptr)
+  if (size > kLargePage) adviseLargePages(from, size - kLargePage);
   std::free(room);
 }
 
@@ -61,8 +64,7 @@ void useTwoHeaps() noexcept {
 void useLargePagesInThread() noexcept {
   if (!hasTwo) return;
   void* const first = std::malloc(1);
-  const auto from = reinterpret_cast<std::uintptr_t>(first) / kThreadHeap * kThreadHeap;
-  ::madvise(reinterpret_cast<void*>(from), kThreadHeap, MADV_HUGEPAGE);  // NOLINT(performance-no-int-to-ptr)
+  adviseLargePages(reinterpret_cast<std::uintptr_t>(first) / kThreadHeap * kThreadHeap, kThreadHeap);
   std::free(first);
 }
 

@@ -175,18 +175,20 @@ Fit restWithout(const Signals& signals, const std::vector<Stretch>& stretches, c
   return out;
 }
 
+/// Whether `cause` is easily taken for `other`.
+bool isTakenFor(std::string_view cause, std::string_view other) {
+  const auto alike = findCause(cause)->lookAlikes();
+  return std::ranges::find(alike, other) != alike.end();
+}
+
 /// A fit with one term of either `cause` or a named one that it is easily taken for, instead of all terms of both,
 /// where that explains about as well: such as a pull at the tip that was told as a tilt and a pull at the sensor.
 /// `asked`: causes of which the same was asked before.
 std::optional<Fit> oneForTwo(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
                              const Fit& final, std::string_view cause, std::span<const std::string> asked) {
-  const auto isAlike = [](std::string_view one, std::string_view other) {
-    const auto alike = findCause(one)->lookAlikes();
-    return std::ranges::find(alike, other) != alike.end();
-  };
   for (const auto& other : findCause(cause)->lookAlikes()) {
     if (!contains(final.model, other)) continue;
-    if (std::ranges::find(asked, other) != asked.end() && isAlike(other, cause)) continue;
+    if (std::ranges::find(asked, other) != asked.end() && isTakenFor(other, cause)) continue;
     const std::array<std::string_view, 2> both{cause, other};
     const Fit rest = fitModel(signals, stretches, without(without(final.model, cause), other));
     auto one = withOneOf(signals, stretches, bank, rest, both);
@@ -209,9 +211,8 @@ bool tied(const Found& found, const Rival& rival) {
   const bool explains = rival.behind < found.gain;
   if (explains && rival.worse + kSameLikelihood * rival.extra < 0.0) return true;
   if (rival.worse > kSameLikelihood) return false;
-  const auto alike = findCause(found.cause)->lookAlikes();
   const bool faint = found.gain < kFaint;
-  return std::find(alike.begin(), alike.end(), rival.cause) != alike.end() ? faint || explains : faint && explains;
+  return isTakenFor(found.cause, rival.cause) ? faint || explains : faint && explains;
 }
 
 namespace {
