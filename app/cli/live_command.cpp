@@ -33,9 +33,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kShowEvery = 0.07;           ///< [s] On a terminal
-constexpr double kLineEvery = 1.0;            ///< [s] Elsewhere
-constexpr std::size_t kMostRows = 4'000'000;  ///< About an hour at 1 kHz is kept for the final estimate.
+constexpr double kShowEvery = 0.07;              ///< [s] On a terminal
+constexpr double kLineEvery = 1.0;               ///< [s] Elsewhere
+constexpr std::chrono::milliseconds kPause{35};  ///< Between two looks at the samples: two make what a terminal shows
+constexpr std::size_t kMostRows = 4'000'000;     ///< About an hour at 1 kHz is kept for the final estimate.
 
 struct LiveArguments {
   std::vector<std::string> sources;
@@ -264,7 +265,7 @@ class LiveRun {
           line.show((running_ ? running_->line() : waitingFor(status)) + troubleLine(status));
         }
         if (finished || !sourceProblem_.empty()) break;
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        std::this_thread::sleep_for(kPause);
       }
     }
     session_.stop();
@@ -329,8 +330,7 @@ class LiveRun {
   }
 
   void takeNew() {
-    fresh_.clear();
-    seen_ = session_.since(seen_, fresh_);
+    session_.takeNew(fresh_);
     for (const auto& sample : fresh_) {
       if (kept_.empty()) begin(sample);
       kept_.add(sample);
@@ -369,7 +369,6 @@ class LiveRun {
   std::optional<RunningEstimate> running_;
   Kept kept_;
   std::vector<LiveSample> fresh_;
-  std::uint64_t seen_ = 0;
   SessionStatus status_;
   std::string recordingProblem_, sourceProblem_;
 };

@@ -8,11 +8,12 @@
 
 #include "core/base/heap.h"
 
-namespace heft::detail {
+namespace heft {
 
 namespace {
 
-thread_local bool isOneOfTwo = false;
+/// The other thread's help is not asked for: it is this one, helps already or is not worth to be woken up.
+thread_local bool staysHere = false;
 
 /// A thread that waits for work: to start one each time takes longer than many a piece of work.
 class Second {
@@ -54,7 +55,7 @@ class Second {
 
   void run() {
     useLargePagesInThread();
-    isOneOfTwo = true;
+    staysHere = true;
     std::unique_lock lock(mutex_);
     for (;;) {
       changed_.wait(lock, [this] { return state_ == State::asked || ends_; });
@@ -85,23 +86,29 @@ class Second {
 
 }  // namespace
 
+OneThreadScope::OneThreadScope() : before_(std::exchange(staysHere, true)) {}
+OneThreadScope::~OneThreadScope() { staysHere = before_; }
+
+namespace detail {
+
 void onBoth(const std::function<void()>& some) {
   static Second second;
-  if (isOneOfTwo || !second.give(some)) {
+  if (staysHere || !second.give(some)) {
     some();
     return;
   }
-  isOneOfTwo = true;
   std::exception_ptr thrown;
   try {
+    const OneThreadScope alone;
     some();
   } catch (...) {
     thrown = std::current_exception();
   }
-  isOneOfTwo = false;
   const std::exception_ptr other = second.takeBack();
   if (thrown) std::rethrow_exception(thrown);
   if (other) std::rethrow_exception(other);
 }
 
-}  // namespace heft::detail
+}  // namespace detail
+
+}  // namespace heft

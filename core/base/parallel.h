@@ -16,6 +16,18 @@ void onBoth(const std::function<void()>& some);
 
 }  // namespace detail
 
+/// While one lives, this thread's parallelFor() stays on it: where each is done sooner than another thread wakes up.
+class OneThreadScope {
+ public:
+  OneThreadScope();
+  ~OneThreadScope();
+  OneThreadScope(const OneThreadScope&) = delete;
+  OneThreadScope& operator=(const OneThreadScope&) = delete;
+
+ private:
+  bool before_;
+};
+
 /// Calls work(i) for each i in [0, count), the next one on whichever thread is free. Exceptions reach the caller.
 /// Before each is a stopPoint().
 template <class Work>

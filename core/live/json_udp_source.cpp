@@ -46,7 +46,7 @@ class JsonUdpSource : public ThreadedSource {
     double heard = hostNow();
     while (!stopping.stop_requested()) {
       const auto bytes = socket_->receive(0.1);
-      const double now = hostNow();
+      const double now = bytes ? socket_->arrival() : hostNow();
       if (bytes) {
         take(*bytes, now);
         heard = now;

@@ -21,8 +21,11 @@ class UdpSocket {
   UdpSocket& operator=(UdpSocket&& other) noexcept;
   ~UdpSocket();
 
-  /// One datagram, or nothing after `seconds`; valid until the next call. Longer ones than 64 KB cannot be.
+  /// One datagram, or nothing after `seconds`; valid until the next call. Longer ones than 64 KB cannot be. In a stream
+  /// it comes up to ten milliseconds late, together with those that follow it: see arrival().
   std::optional<std::string_view> receive(double seconds);
+  /// When the datagram received last reached this machine, in the time of hostNow() [s].
+  double arrival() const { return arrival_; }
   bool send(std::string_view bytes);
   /// To whoever sent the datagram received last.
   bool reply(std::string_view bytes);
@@ -31,9 +34,13 @@ class UdpSocket {
  private:
   explicit UdpSocket(int number) : number_(number) {}
   int number_ = -1;
-  std::string sender_;    ///< Its socket address.
-  std::string bytes_;     ///< Of the datagram received last.
-  double timeout_ = 0.0;  ///< [s] After which the system ends a wait; 0: never
+  std::optional<std::string_view> take(int flags);
+
+  std::string sender_;      ///< Its socket address.
+  std::string bytes_;       ///< Of the datagram received last.
+  double arrival_ = 0.0;    ///< [s] Of the datagram received last
+  double timeout_ = 0.0;    ///< [s] After which the system ends a wait; 0: never
+  bool streaming_ = false;  ///< Datagrams were received since the last pause for more.
 };
 
 /// A connection over TCP and IPv4. Movable.

@@ -35,7 +35,7 @@ class RdtSource : public ThreadedSource {
     if (!stopping.stop_requested()) socket_->send(rdt::request(rdt::kRealTime));
     while (!stopping.stop_requested()) {
       const auto bytes = socket_->receive(0.1);
-      const double now = hostNow();
+      const double now = bytes ? socket_->arrival() : hostNow();
       if (bytes) {
         take(*bytes, now);
         heard = now;

@@ -18,19 +18,19 @@ std::string missingPart(const SessionStatus& status) {
   return heft::say("Joint angles or poses arrive, but no wrench: add the sensor as a second source, such as rdt:HOST.");
 }
 
-void SampleRing::push(const LiveSample& sample) {
-  if (samples_.size() == capacity_) samples_.pop_front();
+void SampleQueue::push(const LiveSample& sample) {
+  if (samples_.size() >= capacity_)
+    samples_.erase(samples_.begin(), samples_.begin() + static_cast<std::ptrdiff_t>(capacity_ / 10 + 1));
   samples_.push_back(sample);
   ++total_;
 }
 
-std::uint64_t SampleRing::since(std::uint64_t seen, std::vector<LiveSample>& out) const {
-  const auto fresh = std::min<std::uint64_t>(total_ - std::min(seen, total_), samples_.size());
-  out.insert(out.end(), samples_.end() - static_cast<std::ptrdiff_t>(fresh), samples_.end());
-  return total_;
+void SampleQueue::takeAll(std::vector<LiveSample>& out) {
+  out.clear();
+  out.swap(samples_);
 }
 
-LiveSession::LiveSession(std::size_t ringCapacity) : ring_(ringCapacity) {}
+LiveSession::LiveSession(std::size_t queueCapacity) : queue_(queueCapacity) {}
 
 LiveSession::~LiveSession() { stop(); }
 
@@ -65,7 +65,7 @@ void LiveSession::take(const LiveSample& part) {
   merger_.add(part, complete_);
   if (paused_) return;
   for (const auto& sample : complete_) {
-    ring_.push(sample);
+    queue_.push(sample);
     newest_ = sample.time;
     if (recorder_) recorder_->add(sample);
   }
@@ -95,7 +95,7 @@ SessionStatus LiveSession::status() const {
   SessionStatus out;
   for (const auto& source : sources_) out.sources.push_back(source->status());
   const std::lock_guard lock(mutex_);
-  out.samples = ring_.total();
+  out.samples = queue_.total();
   out.motions = motions_;
   out.wrenches = wrenches_;
   out.late = merger_.late();
@@ -107,9 +107,9 @@ SessionStatus LiveSession::status() const {
   return out;
 }
 
-std::uint64_t LiveSession::since(std::uint64_t seen, std::vector<LiveSample>& out) const {
+void LiveSession::takeNew(std::vector<LiveSample>& out) {
   const std::lock_guard lock(mutex_);
-  return ring_.since(seen, out);
+  queue_.takeAll(out);
 }
 
 }  // namespace heft

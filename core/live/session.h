@@ -1,6 +1,5 @@
 #pragma once
-// Several sources, one stream of complete samples, a window of the newest ones, and a recording that grows.
-#include <deque>
+// Several sources, one stream of complete samples and a recording that grows.
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -12,20 +11,20 @@
 
 namespace heft {
 
-/// The newest samples, for whoever looks now and then. Holds at most `capacity`; older ones fall out.
-class SampleRing {
+/// Samples on their way to whoever takes them now and then. Holds at most `capacity`: when it is full, the oldest tenth
+/// falls out.
+class SampleQueue {
  public:
-  explicit SampleRing(std::size_t capacity) : capacity_(capacity) {}
+  explicit SampleQueue(std::size_t capacity) : capacity_(capacity) {}
   void push(const LiveSample& sample);
   /// Number of all samples ever pushed.
   std::uint64_t total() const { return total_; }
-  /// Appends what came after the first `seen` samples and is still there; returns total(). More than `capacity` later,
-  /// the samples between are gone, and the caller can see how many.
-  std::uint64_t since(std::uint64_t seen, std::vector<LiveSample>& out) const;
+  /// Replaces what `out` holds by all that waited; its memory is used on.
+  void takeAll(std::vector<LiveSample>& out);
 
  private:
   std::size_t capacity_;
-  std::deque<LiveSample> samples_;
+  std::vector<LiveSample> samples_;
   std::uint64_t total_ = 0;
 };
 
@@ -48,7 +47,7 @@ std::string missingPart(const SessionStatus& status);
 /// All functions may be called from any thread.
 class LiveSession {
  public:
-  explicit LiveSession(std::size_t ringCapacity = 120000);  ///< Two minutes at 1 kHz
+  explicit LiveSession(std::size_t queueCapacity = 120000);  ///< Two minutes at 1 kHz
   ~LiveSession();
 
   void addSource(std::unique_ptr<LiveSource> source);
@@ -67,8 +66,8 @@ class LiveSession {
   std::uint64_t endRecording();
 
   SessionStatus status() const;
-  /// See SampleRing.
-  std::uint64_t since(std::uint64_t seen, std::vector<LiveSample>& out) const;
+  /// Complete samples that came since the last call, instead of what `out` holds; see SampleQueue.
+  void takeNew(std::vector<LiveSample>& out);
 
  private:
   void take(const LiveSample& part);
@@ -77,7 +76,7 @@ class LiveSession {
   std::vector<std::unique_ptr<LiveSource>> sources_;
   mutable std::mutex mutex_;
   StreamMerger merger_;
-  SampleRing ring_;
+  SampleQueue queue_;
   std::optional<Recorder> recorder_;
   std::vector<LiveSample> complete_;
   double newest_ = 0.0;

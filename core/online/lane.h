@@ -6,7 +6,7 @@
 namespace heft {
 
 /// Between two looks at the data [s]: each smooths 1.2 s anew.
-constexpr double kStepTime = 0.08;
+constexpr double kStepTime = 0.1;
 
 /// LaneBlocks in time order; stretches follow one another.
 struct LaneBlocks {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "core/base/say.h"
 #include "core/estimation/prepare.h"
 #include "core/estimation/triangle.h"
@@ -254,8 +255,11 @@ struct OnlineEstimator::Impl {
       return takeOver(learned(std::move(from), lanes[lane].blocks, wideBeside(lane)), lane);
     learningLane = lane;
     due = blocks().size() + kLearningTime;
-    learning = std::async(std::launch::async, [from = std::move(from), copy = lanes[lane].blocks,
-                                               wide = wideBeside(lane)] { return learned(from, copy, wide); });
+    learning =
+        std::async(std::launch::async, [from = std::move(from), copy = lanes[lane].blocks, wide = wideBeside(lane)] {
+          const OneThreadScope alone;
+          return learned(from, copy, wide);
+        });
   }
 
   void takeOver(Learned result, std::size_t lane) {
@@ -278,8 +282,11 @@ struct OnlineEstimator::Impl {
     if (!undecided || result.labels.empty() || n < nextChoice) return;
     nextChoice = std::max(nextChoice, static_cast<Eigen::Index>(kChoiceGrowth * static_cast<double>(n)));
     due = blocks().size() + kChoosingTime;
-    choosing = std::async(std::launch::async, [all = blocksOfLanes(result.labels.size()),
-                                               labels = std::move(result.labels)] { return bestLane(all, labels); });
+    choosing =
+        std::async(std::launch::async, [all = blocksOfLanes(result.labels.size()), labels = std::move(result.labels)] {
+          const OneThreadScope alone;
+          return bestLane(all, labels);
+        });
   }
 
   /// At the end of the data: all at once.
@@ -517,6 +524,7 @@ bool OnlineEstimator::add(const OnlineSample& sample) {
   self.newestTime = sample.time;
   ++self.sinceStep;
   if (!self.stream.ready() || static_cast<double>(self.sinceStep) < kStepTime * self.stream.rateHz()) return false;
+  const OneThreadScope alone;
   if (self.advance(false)) self.take();
   return true;
 }

@@ -51,7 +51,6 @@ int main(int argc, char** argv) {
   if (!learner) return fmt::print(stderr, "{}\n", learner.error().message), 1;
 
   fmt::print("minute  arm+disk %  learning %  15 snapshots/s %  snapshot ms  memory MB  points  mass kg\n");
-  std::uint64_t seen = 0;
   std::vector<LiveSample> fresh;
   double making = 0.0, learning = 0.0, showing = 0.0;
   LiveView view;
@@ -59,8 +58,7 @@ int main(int argc, char** argv) {
     const double a = processor();
     arm.advance(1.0);
     const double b = processor();
-    fresh.clear();
-    seen = session.since(seen, fresh);
+    session.takeNew(fresh);
     for (const LiveSample& sample : fresh) (*learner)->add(sample);
     const double c = processor();
     view = (*learner)->view();

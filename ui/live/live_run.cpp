@@ -66,7 +66,6 @@ Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   advisedAt_ = -1e9;
   refusal_.clear();
   tools_ = 1;
-  seen_ = 0;
   removals_.clear();
   owed_ = 0.0;
   clock_.start();
@@ -104,12 +103,8 @@ void LiveRun::pass(double seconds) {
 }
 
 /// The robot and the learner, once a sample shows whether there are joint angles.
-bool LiveRun::prepare() {
-  if (learner_) return true;
-  std::vector<LiveSample> samples;
-  session_->since(0, samples);
-  if (samples.empty()) return false;
-  if (samples.front().q && !robot_) {
+bool LiveRun::prepare(const LiveSample& first) {
+  if (first.q && !robot_) {
     if (!meta_.robot) meta_.robot = "panda";
     Findings findings;
     auto robot = robotFor(meta_, findings);
@@ -118,15 +113,15 @@ bool LiveRun::prepare() {
     // At once, so that an interrupted recording states it, too.
     if (!file_.isEmpty()) (void)writeMeta(meta_, metaFileOf(file_.toStdString()));
   }
-  if (samples.front().q && samples.front().joints != robot_->dof()) {
+  if (first.q && first.joints != robot_->dof()) {
     stop();
     emit failed(tr("The source sends %1 joints, the robot has %2: name the right robot in the setup file.")
-                    .arg(samples.front().joints)
+                    .arg(first.joints)
                     .arg(robot_->dof()));
     return false;
   }
   if (robot_) around_ = std::make_shared<ArmSurroundings>(robot_, meta_.mount, shape_, room_);
-  auto learner = LiveLearner::create({meta_, samples.front().q ? robot_ : nullptr, shape_, poses_, around_});
+  auto learner = LiveLearner::create({meta_, first.q ? robot_ : nullptr, shape_, poses_, around_});
   if (!learner) return stop(), emit failed(QString::fromStdString(learner.error().message)), false;
   learner_ = std::move(*learner);
   return true;
@@ -147,13 +142,11 @@ void LiveRun::pump() {
     stop();
     return emit failed(QString::fromStdString(source.text));
   }
-  if (!prepare()) {
-    // While waiting for the first sample, the user sees the state of the sources.
-    if (session_) emit refreshed();
-    return;
-  }
   auto fresh = std::make_shared<std::vector<LiveSample>>();
-  seen_ = session_->since(seen_, *fresh);
+  session_->takeNew(*fresh);
+  // While waiting for the first sample, the user sees the state of the sources.
+  if (!learner_ && fresh->empty()) return emit refreshed();
+  if (!learner_ && !prepare(fresh->front())) return;
   if (fresh->empty() && view_.any && removals_.empty()) return emit refreshed();
   learning().start(
       QString(),

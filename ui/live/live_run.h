@@ -102,7 +102,7 @@ class LiveRun : public QObject {
   void tick();
   void pump();
   void goOn();
-  bool prepare();
+  bool prepare(const LiveSample& first);
   void coach();
 
   std::shared_ptr<LiveSession> session_;
@@ -123,7 +123,6 @@ class LiveRun : public QObject {
   QString refusal_;
   double advisedAt_ = -1e9;
   int tools_ = 1;
-  std::uint64_t seen_ = 0;
   std::vector<std::size_t> removals_;  ///< Poses that the next job takes away
   double owed_ = 0.0;                  ///< [s] that are still to pass
   quint64 run_ = 0;                    ///< Results of an earlier run are dropped.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -47,6 +48,24 @@ TEST(ParallelFor, ExceptionsReachWhoAsksAndTheNextIsDoneAsEver) {
   std::atomic<int> sum{0};
   parallelFor(100, [&](std::size_t) { ++sum; });
   EXPECT_EQ(sum, 100);
+}
+
+TEST(ParallelFor, StaysOnItsThreadWhileAScopeSaysSo) {
+  const auto elsewhere = [] {
+    std::atomic<int> count{0};
+    const auto here = std::this_thread::get_id();
+    parallelFor(100, [&](std::size_t) {
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      if (std::this_thread::get_id() != here) ++count;
+    });
+    return count.load();
+  };
+  {
+    const OneThreadScope alone;
+    { const OneThreadScope again; }
+    EXPECT_EQ(elsewhere(), 0);
+  }
+  EXPECT_GT(elsewhere(), 0);
 }
 
 }  // namespace

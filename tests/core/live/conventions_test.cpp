@@ -166,7 +166,7 @@ TEST(LiveTurns, ASessionKnowsThemByTheStatedUnit) {
   session.addSource(std::make_unique<Given>());
   ASSERT_TRUE(session.start());
   std::vector<LiveSample> samples;
-  session.since(0, samples);
+  session.takeNew(samples);
   ASSERT_EQ(samples.size(), 100u);
   EXPECT_NEAR((*samples.back().q)[0], 495.0, 1e-9);
   EXPECT_EQ(session.status().wrapped, std::vector<int>{0});

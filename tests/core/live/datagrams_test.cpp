@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <random>
+#include <thread>
+#include <vector>
 
 #include "core/live/network.h"
 #include "core/live/rdt_protocol.h"
@@ -143,6 +146,24 @@ std::string object(double time, double fx = 1.0) {
   return fmt::format(R"({{"time":{},"q1":0.1,"q2":0.2,"q3":0.3,"q4":0.4,"q5":0.5,"q6":0.6,"q7":0.7,)"
                      R"("fx":{},"fy":2,"fz":3,"tx":4,"ty":5,"tz":6}})",
                      time, fx);
+}
+
+TEST(UdpSocket, SaysWhenEachArrivedThoughTheyAreReadLater) {
+  auto socket = UdpSocket::listening("127.0.0.1", 0).value();
+  auto sender = UdpSocket::connected("127.0.0.1", socket.port()).value();
+  std::vector<double> before, after;
+  for (int k = 0; k < 4; ++k) {
+    before.push_back(hostNow());
+    sender.send("x");
+    after.push_back(hostNow());
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  }
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    ASSERT_TRUE(socket.receive(1.0));
+    EXPECT_GT(socket.arrival(), before[k] - 1e-3);
+    EXPECT_LT(socket.arrival(), after[k] + 1e-3);
+  }
+  EXPECT_FALSE(socket.receive(0.02));
 }
 
 TEST(JsonUdp, ObjectsBecomeSamples) {

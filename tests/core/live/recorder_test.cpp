@@ -194,7 +194,11 @@ TEST_F(LiveRecording, OfAReplayIsTheReplayedRecording) {
   session.stop();
   EXPECT_EQ(session.endRecording(), 300u);
   std::vector<LiveSample> samples;
-  EXPECT_EQ(session.since(0, samples), 300u);
+  session.takeNew(samples);
+  EXPECT_EQ(samples.size(), 300u);
+  session.takeNew(samples);
+  EXPECT_TRUE(samples.empty());
+  EXPECT_EQ(session.status().samples, 300u);
   const auto first = readRecording(original);
   const auto second = readRecording(folder_ / "live.csv");
   ASSERT_TRUE(first.ok() && second.ok());
@@ -224,7 +228,7 @@ TEST_F(LiveRecording, OfTwoDevicesIsJoined) {
     return session.status().samples > 20;
   }));
   std::vector<LiveSample> samples;
-  session.since(0, samples);
+  session.takeNew(samples);
   EXPECT_EQ((*samples.back().wrench)(1), 2.0);
   EXPECT_EQ((*samples.back().q)[2], 0.3);
 }
