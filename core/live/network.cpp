@@ -31,7 +31,7 @@ constexpr std::size_t kLargestBody = 1u << 20;
 constexpr std::size_t kLongestBlock = 1u << 16;  ///< That is received at once; no datagram is longer.
 /// Between two looks at a stream. To wake up for each datagram took a third of what `heft live` took at 1 kHz; nobody
 /// sees the delay, and the smallest buffer that Linux gives (208 kB) takes what comes in 100 ms.
-constexpr std::chrono::milliseconds kGathered{10};
+constexpr std::chrono::duration<double> kGathered{0.01};
 constexpr double kOldest = 10.0;  ///< [s] No datagram waits longer.
 
 using Addresses = std::unique_ptr<addrinfo, void (*)(addrinfo*)>;
@@ -65,19 +65,19 @@ int udpSocket() {
   return number;
 }
 
-/// How long ago a datagram arrived [s]; 0 where the system does not say.
-double ageOf(msghdr& message) {
+double secondsOf(const timespec& time) {
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// When a datagram arrived by the wall clock [s], if the system says.
+std::optional<double> stampOf(msghdr& message) {
   for (cmsghdr* part = CMSG_FIRSTHDR(&message); part != nullptr; part = CMSG_NXTHDR(&message, part)) {
     if (part->cmsg_level != SOL_SOCKET || part->cmsg_type != SCM_TIMESTAMPNS) continue;
-    timespec arrived{}, now{};
+    timespec arrived{};
     std::memcpy(&arrived, CMSG_DATA(part), sizeof(arrived));
-    ::clock_gettime(CLOCK_REALTIME, &now);
-    const double age =
-        static_cast<double>(now.tv_sec - arrived.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec - arrived.tv_nsec);
-    // A wall clock that was set meanwhile says nothing.
-    return age >= 0.0 && age < kOldest ? age : 0.0;
+    return secondsOf(arrived);
   }
-  return 0.0;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -101,67 +101,98 @@ Result<UdpSocket> UdpSocket::connected(const std::string& host, std::uint16_t po
   return out;
 }
 
+/// Datagrams that one call of the system gave.
+struct UdpSocket::Batch {
+  static constexpr unsigned kMost = 16;
+  struct alignas(cmsghdr) Stamp {
+    std::array<char, CMSG_SPACE(sizeof(timespec))> bytes;
+  };
+
+  void fill(int socket, int flags);
+
+  std::array<std::array<char, kLongestBlock>, kMost> bytes;
+  std::array<sockaddr_storage, kMost> senders;
+  std::array<Stamp, kMost> stamps;
+  std::array<iovec, kMost> blocks;
+  std::array<mmsghdr, kMost> messages;
+  unsigned count, next;   ///< Those from `next` on are to be taken.
+  double readAt, wallAt;  ///< When they were read, by hostNow() and by the wall clock [s]
+};
+
+void UdpSocket::Batch::fill(int socket, int flags) {
+  for (unsigned i = 0; i < kMost; ++i) {
+    blocks[i] = {bytes[i].data(), kLongestBlock};
+    msghdr message{};
+    message.msg_name = &senders[i];
+    message.msg_namelen = sizeof(sockaddr_storage);
+    message.msg_iov = &blocks[i];
+    message.msg_iovlen = 1;
+    message.msg_control = stamps[i].bytes.data();
+    message.msg_controllen = stamps[i].bytes.size();
+    messages[i] = {message, 0};
+  }
+  const int got = ::recvmmsg(socket, messages.data(), kMost, flags, nullptr);
+  count = static_cast<unsigned>(std::max(got, 0));  // an ICMP message that nobody listens is no datagram either
+  next = 0;
+  timespec now{};
+  ::clock_gettime(CLOCK_REALTIME, &now);
+  wallAt = secondsOf(now);
+  readAt = hostNow();
+}
+
+UdpSocket::UdpSocket(int number) : number_(number), batch_(std::make_unique_for_overwrite<Batch>()) {
+  batch_->count = batch_->next = 0;
+}
 UdpSocket::UdpSocket(UdpSocket&& other) noexcept
     : number_(std::exchange(other.number_, -1)),
+      batch_(std::move(other.batch_)),
       sender_(std::move(other.sender_)),
-      bytes_(std::move(other.bytes_)),
       arrival_(other.arrival_),
-      timeout_(other.timeout_),
-      streaming_(other.streaming_) {}
+      timeout_(other.timeout_) {}
 UdpSocket& UdpSocket::operator=(UdpSocket&& other) noexcept {
   std::swap(number_, other.number_);
+  std::swap(batch_, other.batch_);
   std::swap(sender_, other.sender_);
-  std::swap(bytes_, other.bytes_);
   std::swap(arrival_, other.arrival_);
   std::swap(timeout_, other.timeout_);
-  std::swap(streaming_, other.streaming_);
   return *this;
 }
 UdpSocket::~UdpSocket() {
   if (number_ >= 0) ::close(number_);
 }
 
-std::optional<std::string_view> UdpSocket::take(int flags) {
-  bytes_.resize(kLongestBlock);
-  sockaddr_storage from{};
-  iovec block{bytes_.data(), bytes_.size()};
-  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(timespec))> stamp{};
-  msghdr message{};
-  message.msg_name = &from;
-  message.msg_namelen = sizeof(from);
-  message.msg_iov = &block;
-  message.msg_iovlen = 1;
-  message.msg_control = stamp.data();
-  message.msg_controllen = stamp.size();
-  const auto got = ::recvmsg(number_, &message, flags);
-  if (got < 0) return std::nullopt;  // an ICMP message that nobody listens is no datagram either
-  sender_.assign(reinterpret_cast<const char*>(&from), message.msg_namelen);
-  arrival_ = hostNow() - ageOf(message);
-  return std::string_view(bytes_).substr(0, static_cast<std::size_t>(got));
+/// False where nothing came within `seconds`.
+bool UdpSocket::receiveMore(double seconds) {
+  // In a stream the next ones are about to come; where all places were taken, they are there.
+  const bool streams = batch_->count > 0 && batch_->count < Batch::kMost;
+  if (streams && seconds > 0.0)
+    std::this_thread::sleep_for(std::min(kGathered, std::chrono::duration<double>(seconds)));
+  batch_->fill(number_, MSG_DONTWAIT);
+  if (batch_->count > 0 || seconds <= 0.0) return batch_->count > 0;
+  if (seconds != timeout_) {
+    timeval wait{};
+    wait.tv_sec = static_cast<time_t>(seconds);
+    wait.tv_usec = std::max<suseconds_t>(1, static_cast<suseconds_t>(1e6 * (seconds - std::floor(seconds))));
+    if (::setsockopt(number_, SOL_SOCKET, SO_RCVTIMEO, &wait, sizeof(wait)) == 0)
+      timeout_ = seconds;
+    else if (!waitFor(number_, POLLIN, seconds))
+      return false;
+  }
+  batch_->fill(number_, MSG_WAITFORONE);
+  return batch_->count > 0;
 }
 
 std::optional<std::string_view> UdpSocket::receive(double seconds) {
-  auto bytes = take(MSG_DONTWAIT);
-  if (!bytes && streaming_ && seconds > 0.0) {
-    streaming_ = false;
-    std::this_thread::sleep_for(
-        std::min<std::chrono::duration<double>>(kGathered, std::chrono::duration<double>(seconds)));
-    bytes = take(MSG_DONTWAIT);
-  }
-  if (!bytes && seconds > 0.0) {
-    if (seconds != timeout_) {
-      timeval wait{};
-      wait.tv_sec = static_cast<time_t>(seconds);
-      wait.tv_usec = std::max<suseconds_t>(1, static_cast<suseconds_t>(1e6 * (seconds - std::floor(seconds))));
-      if (::setsockopt(number_, SOL_SOCKET, SO_RCVTIMEO, &wait, sizeof(wait)) == 0)
-        timeout_ = seconds;
-      else if (!waitFor(number_, POLLIN, seconds))
-        return std::nullopt;
-    }
-    bytes = take(0);
-  }
-  streaming_ = streaming_ || bytes;
-  return bytes;
+  Batch& batch = *batch_;
+  if (batch.next == batch.count && !receiveMore(seconds)) return std::nullopt;
+  const unsigned i = batch.next++;
+  msghdr& message = batch.messages[i].msg_hdr;
+  sender_.assign(static_cast<const char*>(message.msg_name), message.msg_namelen);
+  arrival_ = batch.readAt;
+  // A wall clock that was set meanwhile says nothing.
+  if (const auto stamp = stampOf(message); stamp && *stamp <= batch.wallAt && *stamp > batch.wallAt - kOldest)
+    arrival_ -= batch.wallAt - *stamp;
+  return std::string_view(batch.bytes[i].data(), batch.messages[i].msg_len);
 }
 
 bool UdpSocket::send(std::string_view bytes) {

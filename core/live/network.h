@@ -1,6 +1,7 @@
 #pragma once
 // Sockets that can be left at any time.
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,15 +33,15 @@ class UdpSocket {
   std::uint16_t port() const;
 
  private:
-  explicit UdpSocket(int number) : number_(number) {}
-  int number_ = -1;
-  std::optional<std::string_view> take(int flags);
+  struct Batch;
+  explicit UdpSocket(int number);
+  bool receiveMore(double seconds);
 
-  std::string sender_;      ///< Its socket address.
-  std::string bytes_;       ///< Of the datagram received last.
-  double arrival_ = 0.0;    ///< [s] Of the datagram received last
-  double timeout_ = 0.0;    ///< [s] After which the system ends a wait; 0: never
-  bool streaming_ = false;  ///< Datagrams were received since the last pause for more.
+  int number_ = -1;
+  std::unique_ptr<Batch> batch_;
+  std::string sender_;    ///< Of the datagram received last: its socket address
+  double arrival_ = 0.0;  ///< [s] Of the datagram received last
+  double timeout_ = 0.0;  ///< [s] After which the system ends a wait; 0: never
 };
 
 /// A connection over TCP and IPv4. Movable.
