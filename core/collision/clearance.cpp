@@ -1,8 +1,5 @@
 #include "core/collision/clearance.h"
 
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/geometry/shape/convex.h>
-#include <fcl/narrowphase/distance.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,9 +7,11 @@
 #include <limits>
 #include <set>
 
+#include "core/base/library_on_demand.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/collision/course.h"
+#include "core/collision/fcl_bodies.h"
 #include "core/collision/hull.h"
 #include "core/collision/link_bodies.h"
 #include "core/collision/tool_outline.h"
@@ -22,44 +21,30 @@ namespace heft {
 
 namespace {
 
-using Surface = fcl::BVHModel<fcl::OBBRSSd>;
+const LibraryOnDemand fclLibrary{HEFT_FCL_LIBRARY, ""};
+const FunctionOnDemand<decltype(::heft_make_fcl_body)> makeFclBody{fclLibrary, "heft_make_fcl_body"};
+const FunctionOnDemand<decltype(::heft_delete_fcl_body)> deleteFclBody{fclLibrary, "heft_delete_fcl_body"};
+const FunctionOnDemand<decltype(::heft_between_convex)> betweenConvex{fclLibrary, "heft_between_convex"};
+const FunctionOnDemand<decltype(::heft_between_surfaces)> betweenTriangles{fclLibrary, "heft_between_surfaces"};
+
 constexpr int kWorld = -1;
 constexpr double kAlways = std::numeric_limits<double>::infinity();  ///< No lower bound is enough
 
-/// A body as FCL has it.
+/// A body of arm, tool or room.
 struct CollisionBody {
   std::string name;
   int link = kWorld;
-  Eigen::Matrix3Xd vertices;                   ///< Link axes; the room's: base axes [m]
-  std::optional<ConvexHull> hull;              ///< Solid; nothing: a surface
-  std::optional<RoomPlane> plane;              ///< All behind it is closed; then there is nothing else.
-  std::shared_ptr<const fcl::Convexd> convex;  ///< The hull as FCL has it
-  std::shared_ptr<const Surface> surface;
+  Eigen::Matrix3Xd vertices;           ///< Link axes; the room's: base axes [m]
+  std::optional<ConvexHull> hull;      ///< Solid; nothing: a surface
+  std::optional<RoomPlane> plane;      ///< All behind it is closed; then there is nothing else.
+  std::shared_ptr<const FclBody> fcl;  ///< The hull or the surface; none of a plane
   Vector3d centre = Vector3d::Zero();  ///< Of a ball around it
   double radius = 0.0;
 };
 
-std::shared_ptr<const Surface> surfaceOf(const Eigen::Matrix3Xd& vertices,
-                                         const std::vector<std::array<int, 3>>& triangles) {
-  auto out = std::make_shared<Surface>();
-  out->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.cols()));
-  std::vector<Vector3d> points;
-  for (Eigen::Index i = 0; i < vertices.cols(); ++i) points.emplace_back(vertices.col(i));
-  std::vector<fcl::Triangle> corners;
-  for (const auto& t : triangles)
-    corners.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
-                         static_cast<std::size_t>(t[2]));
-  out->addSubModel(points, corners);
-  out->endModel();
-  return out;
-}
-
-std::shared_ptr<const fcl::Convexd> convexOf(const ConvexHull& hull) {
-  auto points = std::make_shared<std::vector<Vector3d>>();
-  auto faces = std::make_shared<std::vector<int>>();
-  for (Eigen::Index i = 0; i < hull.vertices.cols(); ++i) points->emplace_back(hull.vertices.col(i));
-  for (const auto& t : hull.triangles) faces->insert(faces->end(), {3, t[0], t[1], t[2]});
-  return std::make_shared<const fcl::Convexd>(points, static_cast<int>(hull.triangles.size()), faces);
+std::shared_ptr<const FclBody> fclBody(const Eigen::Matrix3Xd& vertices,
+                                       const std::vector<std::array<int, 3>>& triangles, bool convex) {
+  return {makeFclBody(vertices, triangles, convex), [](FclBody* body) { deleteFclBody(body); }};
 }
 
 void setBall(CollisionBody& body) {
@@ -75,8 +60,7 @@ Result<CollisionBody> solid(std::string name, int link, const Eigen::Matrix3Xd& 
   body.name = std::move(name);
   body.link = link;
   body.vertices = hull->vertices;
-  body.convex = convexOf(*hull);
-  body.surface = surfaceOf(hull->vertices, hull->triangles);
+  body.fcl = fclBody(hull->vertices, hull->triangles, true);
   body.hull = std::move(*hull);
   setBall(body);
   return body;
@@ -104,7 +88,7 @@ Result<CollisionBody> bodyOf(const Obstacle& obstacle) {
           {first + static_cast<int>(t[0]), first + static_cast<int>(t[1]), first + static_cast<int>(t[2])});
   }
   body.vertices = columnsOf(points);
-  body.surface = surfaceOf(body.vertices, triangles);
+  body.fcl = fclBody(body.vertices, triangles, false);
   setBall(body);
   return body;
 }
@@ -161,11 +145,10 @@ struct Clearance::Impl {
   static double betweenHulls(const CollisionBody& a, const Isometry3d& X_Ba, const CollisionBody& b,
                              const Isometry3d& X_Bb, Vector3d& direction) {
     constexpr double kPrecise = 1e-4;  // [m]
-    fcl::DistanceRequestd request(true);
-    fcl::DistanceResultd result;
-    const double said = fcl::distance(a.convex.get(), X_Ba, b.convex.get(), X_Bb, request, result);
+    NearestPoints points;
+    const double said = betweenConvex(*a.fcl, X_Ba, *b.fcl, X_Bb, points);
     if (said > 0.0) {
-      const Vector3d across = result.nearest_points[1] - result.nearest_points[0];
+      const Vector3d across = points[1] - points[0];
       if (across.norm() > 0.0) direction = across.normalized();
       const double proven = apartAlong(direction, a, X_Ba, b, X_Bb);
       if (proven > said - kPrecise) return proven;
@@ -175,9 +158,7 @@ struct Clearance::Impl {
 
   static double betweenSurfaces(const CollisionBody& a, const Isometry3d& X_Ba, const CollisionBody& b,
                                 const Isometry3d& X_Bb) {
-    const fcl::DistanceRequestd request(false);
-    fcl::DistanceResultd result;
-    const double between = fcl::distance(a.surface.get(), X_Ba, b.surface.get(), X_Bb, request, result);
+    const double between = betweenTriangles(*a.fcl, X_Ba, *b.fcl, X_Bb, nullptr);
     if (between <= 0.0) return 0.0;
     // Surfaces are apart, too, where one body lies wholly in the other.
     if (b.hull && b.hull->contains(X_Bb.inverse() * (X_Ba * Vector3d(a.vertices.col(0))))) return 0.0;
@@ -224,11 +205,10 @@ struct Clearance::Impl {
       return;
     }
     // Of two meshes of one kind FCL tells the points in base axes.
-    const fcl::DistanceRequestd request(true);
-    fcl::DistanceResultd result;
-    const bool apart = fcl::distance(a.surface.get(), X_Ba, b.surface.get(), poseOf(b, q), request, result) > 0.0;
-    nearest.onFirst = apart ? result.nearest_points[0] : Vector3d(X_Ba * a.centre);
-    nearest.onSecond = apart ? result.nearest_points[1] : nearest.onFirst;
+    NearestPoints points;
+    const bool apart = betweenTriangles(*a.fcl, X_Ba, *b.fcl, poseOf(b, q), &points) > 0.0;
+    nearest.onFirst = apart ? points[0] : Vector3d(X_Ba * a.centre);
+    nearest.onSecond = apart ? points[1] : nearest.onFirst;
   }
 
   /// Joints between the two bodies, and how far each reaches.
@@ -257,6 +237,7 @@ Clearance& Clearance::operator=(Clearance&&) noexcept = default;
 Clearance::~Clearance() = default;
 
 Result<Clearance> Clearance::of(const RobotModel& robot, const HeldTool& tool, const Room& room, Findings& findings) {
+  if (auto missing = fclLibrary.problem(); !missing.empty()) return Error{std::move(missing)};
   auto impl = std::make_unique<Impl>();
   impl->robot = &robot;
   impl->margin = room.margin;

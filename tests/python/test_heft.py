@@ -60,6 +60,10 @@ def test_options_are_those_of_the_command_line(rec):
     assert without_times(result.to_dict()) == without_times(told)
 
 
+def test_ceres_is_found_when_it_is_asked_for(rec):
+    assert heft.estimate(rec, method="ceres").to_dict()["termination"]["usable"]
+
+
 def test_diagnosis_names_the_hidden_cable(rec):
     told = json.loads(command("diagnose", rec, "--json", "-").stdout)
     found = heft.diagnose(rec)
