@@ -120,6 +120,7 @@ Result<SearchedPart> searchedIn(const Recording& recording, const Readings& read
   Readings there = cut(readings, rows);
   auto found = searched(stated, there, robot, options, progress);
   if (!found) return found.error();
+  found->hypothesis.bank.forget();  // Of minutes a third of all memory; only the detection limits ask again
   return SearchedPart{std::move(*found), std::move(there.cleaned), {}};
 }
 

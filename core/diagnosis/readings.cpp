@@ -140,6 +140,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   out.motion = std::move(*motion);
   const Recording& stated = out.asRead(recording);
   out.directs = sampleTests(stated, out.motion, facts);
+  keepPayloadMotion(out.motion);
   stopPoint();
   out.stuckBits = stuckBits(stated);
   stopPoint();

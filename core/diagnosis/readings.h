@@ -22,7 +22,7 @@ struct Readings {
   std::optional<FrameMistake> mistake;  ///< Put right before anything else is made of the readings
   Recording stated;                     ///< The recording without it, where there is one
   Recording cleaned;
-  Motion motion;
+  Motion motion;  ///< What a payload feels of it
   std::vector<Direct> directs;
   Vector6d steps = Vector6d::Zero();  ///< As of CoarseReadings
   std::vector<DeadBand> deadBands;

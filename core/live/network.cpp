@@ -56,6 +56,11 @@ bool waitFor(int number, short events, double seconds) {
   return ::poll(&descriptor, 1, milliseconds) > 0 && (descriptor.revents & (events | POLLERR | POLLHUP)) != 0;
 }
 
+/// Lets more come, but no longer than `seconds`.
+void gather(double seconds) {
+  if (seconds > 0.0) std::this_thread::sleep_for(std::min(kGathered, std::chrono::duration<double>(seconds)));
+}
+
 /// A UDP socket with room for what comes between two looks, whose datagrams bear the time of their arrival.
 int udpSocket() {
   const int number = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
@@ -165,8 +170,7 @@ UdpSocket::~UdpSocket() {
 bool UdpSocket::receiveMore(double seconds) {
   // In a stream the next ones are about to come; where all places were taken, they are there.
   const bool streams = batch_->count > 0 && batch_->count < Batch::kMost;
-  if (streams && seconds > 0.0)
-    std::this_thread::sleep_for(std::min(kGathered, std::chrono::duration<double>(seconds)));
+  if (streams) gather(seconds);
   batch_->fill(number_, MSG_DONTWAIT);
   if (batch_->count > 0 || seconds <= 0.0) return batch_->count > 0;
   if (seconds != timeout_) {
@@ -229,10 +233,12 @@ Result<TcpConnection> TcpConnection::connect(const std::string& host, std::uint1
 TcpConnection::TcpConnection(TcpConnection&& other) noexcept
     : number_(std::exchange(other.number_, -1)),
       open_(std::exchange(other.open_, false)),
+      streams_(other.streams_),
       bytes_(std::move(other.bytes_)) {}
 TcpConnection& TcpConnection::operator=(TcpConnection&& other) noexcept {
   std::swap(number_, other.number_);
   std::swap(open_, other.open_);
+  std::swap(streams_, other.streams_);
   std::swap(bytes_, other.bytes_);
   return *this;
 }
@@ -241,9 +247,13 @@ TcpConnection::~TcpConnection() {
 }
 
 std::string_view TcpConnection::receive(double seconds) {
-  if (!open_ || !waitFor(number_, POLLIN, seconds)) return {};
+  if (!open_) return {};
+  if (streams_) gather(seconds);
+  streams_ = false;
+  if (!waitFor(number_, POLLIN, seconds)) return {};
   bytes_.resize(kLongestBlock);
   const auto got = ::recv(number_, bytes_.data(), bytes_.size(), 0);
+  streams_ = got > 0;
   if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) open_ = false;
   return std::string_view(bytes_).substr(0, got > 0 ? static_cast<std::size_t>(got) : 0);
 }

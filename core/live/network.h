@@ -55,7 +55,7 @@ class TcpConnection {
   ~TcpConnection();
 
   /// What has come, at most 64 KB; empty after `seconds` or once the connection is gone: see open(). Valid until the
-  /// next call.
+  /// next call. In a stream it comes up to ten milliseconds late, together with what follows.
   std::string_view receive(double seconds);
   bool send(std::string_view bytes);
   bool open() const { return open_; }
@@ -64,7 +64,8 @@ class TcpConnection {
   explicit TcpConnection(int number) : number_(number) {}
   int number_ = -1;
   bool open_ = true;
-  std::string bytes_;  ///< Received last.
+  bool streams_ = false;  ///< Something came when it was asked last.
+  std::string bytes_;     ///< Received last.
 };
 
 /// The body of http://host:port/path, at most 1 MB, within two seconds.

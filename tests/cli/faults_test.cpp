@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <random>
@@ -134,7 +136,8 @@ TEST_F(FaultsTest, WhenTheRecordingsDiskIsFullTheEstimateGoesOn) {
 
 TEST_F(FaultsTest, AClosedTerminalEndsWithWhatCameEstimated) {
   int terminal = -1, program = -1;
-  ASSERT_EQ(::openpty(&terminal, &program, nullptr, nullptr, nullptr), 0);
+  if (::openpty(&terminal, &program, nullptr, nullptr, nullptr) != 0)
+    GTEST_SKIP() << "No terminal can be made here: " << std::strerror(errno);
   ::fcntl(terminal, F_SETFD, FD_CLOEXEC);
   Running live({"live", "virtual:5", "--record", "kept.csv", "--json", "kept.json"}, path("."), "live",
                {.terminal = program});

@@ -62,6 +62,11 @@ SignatureBank::SignatureBank(const Signals& signals, const std::vector<std::stri
   }
 }
 
+void SignatureBank::forget() {
+  for (Signature& signature : plain_) signature.columns.reset();
+  changed_.clear();
+}
+
 bool SignatureBank::knows(std::string_view cause) const {
   return std::ranges::any_of(plain_, [&](const Signature& s) { return s.form.cause->id() == cause; });
 }

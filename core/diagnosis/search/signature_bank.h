@@ -36,6 +36,9 @@ class SignatureBank {
   std::vector<Signature> around(const Signals& signals, const Model& model,
                                 const std::function<bool(const Form&)>& wanted = {});
 
+  /// Gives the columns' memory back: what is asked for again is worked out again.
+  void forget();
+
   /// Whether the cause is looked for at all, also by forms that others grow into.
   bool knows(std::string_view cause) const;
 

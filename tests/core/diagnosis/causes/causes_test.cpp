@@ -196,6 +196,22 @@ TEST(SignatureBank, IsWorkedOutAnewWhereTheModelHasMoved) {
   }
 }
 
+TEST(SignatureBank, WorksOutAnewWhatItForgot) {
+  const Signals& signals = prepared().signals;
+  SignatureBank bank(signals, {});
+  const auto cable = [](const Form& form) { return form.cause->id() == "cable_pull"; };
+  const auto first = bank.around(signals, Model{}, cable);
+  bank.forget();
+  const auto second = bank.around(signals, Model{}, cable);
+  ASSERT_FALSE(first.empty());
+  ASSERT_EQ(first.size(), second.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_NE(first[i].columns, second[i].columns);
+    EXPECT_EQ(first[i].columns->dense(), second[i].columns->dense());
+  }
+  EXPECT_TRUE(bank.knows("cable_pull"));
+}
+
 /// What is kept without its zeros, and of what passes only where it passes, are the columns of the whole recording.
 TEST(SignatureBank, KeepsTheColumnsOfTheWholeRecording) {
   const Signals& signals = prepared().signals;
