@@ -22,7 +22,7 @@ SolverSolution solveCeres(const SolverProblem& problem) {
   const double* com = mass + 1;
   const auto x = linearFromPhysical<double>(bias, mass, com, com + 3);
   for (int i = 0; i < 6; ++i) solution.bias(i) = x[static_cast<std::size_t>(i)];
-  for (int i = 0; i < 10; ++i) solution.phi(i) = x[static_cast<std::size_t>(6 + i)];
+  for (int i = 0; i < 10; ++i) solution.phi(i) = x[6 + static_cast<std::size_t>(i)];
   return solution;
 }
 
