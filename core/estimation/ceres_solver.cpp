@@ -17,12 +17,9 @@ SolverSolution solveCeres(const SolverProblem& problem) {
   if (!solution.why.empty()) return solution;
   auto theta = physicalStart(problem);
   fitByCeres(problem, theta.data(), solution);
-  const double* bias = theta.data();
-  const double* mass = bias + 6;
-  const double* com = mass + 1;
-  const auto x = linearFromPhysical<double>(bias, mass, com, com + 3);
-  for (int i = 0; i < 6; ++i) solution.bias(i) = x[static_cast<std::size_t>(i)];
-  for (int i = 0; i < 10; ++i) solution.phi(i) = x[6 + static_cast<std::size_t>(i)];
+  const auto x = linearFromPhysical(theta);
+  solution.bias = x.head<6>();
+  solution.phi = x.tail<10>();
   return solution;
 }
 

@@ -26,8 +26,7 @@ struct RowsFunctor {
   VectorXd linear(const VectorXd& z) const {
     auto theta = start;
     for (std::size_t i = 0; i < free.size(); ++i) theta[free[i]] = z(static_cast<Eigen::Index>(i));
-    const auto x = linearFromPhysical<double>(theta.data(), &theta[6], &theta[7], &theta[10]);
-    return Eigen::Map<const VectorXd>(x.data(), kColumns);
+    return linearFromPhysical(theta);
   }
   int operator()(const VectorXd& z, VectorXd& residual) const {
     residual.noalias() = problem->A * linear(z) - problem->y;

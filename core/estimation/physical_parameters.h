@@ -19,6 +19,11 @@ std::array<T, kColumns> linearFromPhysical(const T* bias, const T* mass, const T
   return x;
 }
 
+inline Eigen::Matrix<double, kColumns, 1> linearFromPhysical(const std::array<double, kPhysicalParameters>& theta) {
+  const auto x = linearFromPhysical<double>(theta.data(), &theta[6], &theta[7], &theta[10]);
+  return Eigen::Map<const Eigen::Matrix<double, kColumns, 1>>(x.data());
+}
+
 /// Where nonlinear solvers start: known values for what is not estimated; one kilogram at the sensor otherwise.
 inline std::array<double, kPhysicalParameters> physicalStart(const SolverProblem& problem) {
   std::array<double, kPhysicalParameters> theta{};

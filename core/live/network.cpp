@@ -113,7 +113,8 @@ struct UdpSocket::Batch {
     std::array<char, CMSG_SPACE(sizeof(timespec))> bytes;
   };
 
-  void fill(int socket, int flags);
+  /// With what is there already.
+  void fill(int socket);
 
   std::array<std::array<char, kLongestBlock>, kMost> bytes;
   std::array<sockaddr_storage, kMost> senders;
@@ -124,7 +125,7 @@ struct UdpSocket::Batch {
   double readAt, wallAt;  ///< When they were read, by hostNow() and by the wall clock [s]
 };
 
-void UdpSocket::Batch::fill(int socket, int flags) {
+void UdpSocket::Batch::fill(int socket) {
   for (unsigned i = 0; i < kMost; ++i) {
     blocks[i] = {bytes[i].data(), kLongestBlock};
     msghdr message{};
@@ -136,7 +137,7 @@ void UdpSocket::Batch::fill(int socket, int flags) {
     message.msg_controllen = stamps[i].bytes.size();
     messages[i] = {message, 0};
   }
-  const int got = ::recvmmsg(socket, messages.data(), kMost, flags, nullptr);
+  const int got = ::recvmmsg(socket, messages.data(), kMost, MSG_DONTWAIT, nullptr);
   count = static_cast<unsigned>(std::max(got, 0));  // an ICMP message that nobody listens is no datagram either
   next = 0;
   timespec now{};
@@ -152,14 +153,12 @@ UdpSocket::UdpSocket(UdpSocket&& other) noexcept
     : number_(std::exchange(other.number_, -1)),
       batch_(std::move(other.batch_)),
       sender_(std::move(other.sender_)),
-      arrival_(other.arrival_),
-      timeout_(other.timeout_) {}
+      arrival_(other.arrival_) {}
 UdpSocket& UdpSocket::operator=(UdpSocket&& other) noexcept {
   std::swap(number_, other.number_);
   std::swap(batch_, other.batch_);
   std::swap(sender_, other.sender_);
   std::swap(arrival_, other.arrival_);
-  std::swap(timeout_, other.timeout_);
   return *this;
 }
 UdpSocket::~UdpSocket() {
@@ -171,18 +170,8 @@ bool UdpSocket::receiveMore(double seconds) {
   // In a stream the next ones are about to come; where all places were taken, they are there.
   const bool streams = batch_->count > 0 && batch_->count < Batch::kMost;
   if (streams) gather(seconds);
-  batch_->fill(number_, MSG_DONTWAIT);
-  if (batch_->count > 0 || seconds <= 0.0) return batch_->count > 0;
-  if (seconds != timeout_) {
-    timeval wait{};
-    wait.tv_sec = static_cast<time_t>(seconds);
-    wait.tv_usec = std::max<suseconds_t>(1, static_cast<suseconds_t>(1e6 * (seconds - std::floor(seconds))));
-    if (::setsockopt(number_, SOL_SOCKET, SO_RCVTIMEO, &wait, sizeof(wait)) == 0)
-      timeout_ = seconds;
-    else if (!waitFor(number_, POLLIN, seconds))
-      return false;
-  }
-  batch_->fill(number_, MSG_WAITFORONE);
+  batch_->fill(number_);
+  if (batch_->count == 0 && seconds > 0.0 && waitFor(number_, POLLIN, seconds)) batch_->fill(number_);
   return batch_->count > 0;
 }
 

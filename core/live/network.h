@@ -41,7 +41,6 @@ class UdpSocket {
   std::unique_ptr<Batch> batch_;
   std::string sender_;    ///< Of the datagram received last: its socket address
   double arrival_ = 0.0;  ///< [s] Of the datagram received last
-  double timeout_ = 0.0;  ///< [s] After which the system ends a wait; 0: never
 };
 
 /// A connection over TCP and IPv4. Movable.

@@ -13,7 +13,6 @@ install(TARGETS ${libraries} EXPORT heftTargets ARCHIVE DESTINATION ${CMAKE_INST
 install(EXPORT heftTargets NAMESPACE heft:: DESTINATION ${package_folder} COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/heft COMPONENT development
         FILES_MATCHING PATTERN "*.h")
-set(HEFT_ON_DEMAND ${CMAKE_INSTALL_LIBDIR}/heft)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/heftConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/heftConfig.cmake
                               INSTALL_DESTINATION ${package_folder} PATH_VARS HEFT_ON_DEMAND)
 # Before 1.0 every minor version may break programs.
